@@ -4,16 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "data/files/file_access.h"
 #include "data/files/formats/sheets.h"
+#include "data/files/missing_mark.h"
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/input_error.h"
@@ -70,9 +74,33 @@ std::optional<double> stated_percent(const std::string& texts) {
     return parse_number(number);
 }
 
+/// Whether a word in small letters says in one of the five languages that grains are wet. Words for
+/// humidity are left out, which may be that of the air.
+bool says_wet(std::string_view word) {
+    constexpr std::array begins = {"wet",    "moist",   "nass",    "naß",   "feucht",
+                                   "wasser", "mouillé", "mouille", "mojad", "bagnat"};
+    constexpr std::array whole = {"water",  "eau",    "agua",   "acqua",  "humide", "humides",
+                                  "húmedo", "húmeda", "humedo", "humeda", "umido",  "umida",
+                                  "umidi",  "umide",  "oil",    "öl",     "oel"};
+    return std::ranges::any_of(begins,
+                               [&](std::string_view each) { return word.starts_with(each); }) ||
+           std::ranges::find(whole, word) != whole.end();
+}
+
 bool named_wet(const std::string& texts) {
-    return texts.find("wet") != std::string::npos || texts.find("_w") != std::string::npos ||
-           texts.find("water") != std::string::npos;
+    static const std::regex water(R"(_w\d)");  // "glass_w10"
+    if (std::regex_search(texts, water)) return true;
+    std::string word;
+    for (const char c : texts + " ") {
+        // Bytes beyond ASCII are parts of letters.
+        if (std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) > 0x7f) {
+            word += c;
+            continue;
+        }
+        if (says_wet(in_small_letters(word))) return true;
+        word.clear();
+    }
+    return false;
 }
 
 /// Densities [kg/m^3] with which a mass of liquid over that of grains becomes a liquid content; the

@@ -51,6 +51,14 @@ std::optional<KnownRuns> runs_before(const Study& study, const SessionOptions& s
                      atlas_hyperparameters()};
 }
 
+/// Name of a round of simulations, whose share that is done begins at 0 again.
+/// @param total least number of rounds
+std::string name_of_round(std::size_t round, std::size_t total) {
+    if (total < 2) return fmt::format("round {}", round);
+    return round <= total ? fmt::format("round {} of at least {}", round, total)
+                          : fmt::format("round {}, as the fit needs more simulations", round);
+}
+
 }  // namespace
 
 bool begins_cold(const Study& study, const SessionOptions& session, const FitOptions& options) {
@@ -63,9 +71,10 @@ Calibration fit_study(const ResolvedStudy& study, const Measurements& measuremen
                       const SessionOptions& session, const FitOptions& options) {
     CalibrationRequest request =
         request_for(runs_before(study, session, options), session, options);
-    std::string stage = "round 1";
     EnsembleProgress of_round;
     const bool has_time = request.budget.seconds_left() > 0;  // a limit may be 0
+    const auto total = has_time ? static_cast<std::size_t>(request.options.fewest_rounds) : 1;
+    std::string stage = name_of_round(1, total);
     request.stage = [&](std::string_view name) { stage = name; };
     // A repeated fit reads its own runs from the store, even if it was cold.
     const Workers workers{session.threads, session.stop,
@@ -76,13 +85,12 @@ Calibration fit_study(const ResolvedStudy& study, const Measurements& measuremen
                           },
                           session.store, !options.cold || session.training};
     const auto report = [&](int round, const Fit& fit) {
-        tell(session.listener,
-             {.kind = Event::Kind::round,
-              .runs = std::exchange(of_round, {}),
-              .number = static_cast<std::size_t>(round),
-              .total = has_time ? static_cast<std::size_t>(request.options.fewest_rounds) : 1,
-              .fit = &fit});
-        stage = fmt::format("round {}", round + 1);
+        tell(session.listener, {.kind = Event::Kind::round,
+                                .runs = std::exchange(of_round, {}),
+                                .number = static_cast<std::size_t>(round),
+                                .total = total,
+                                .fit = &fit});
+        stage = name_of_round(static_cast<std::size_t>(round) + 1, total);
     };
     try {
         return calibrate_study(study, measurements, request, workers, report);

@@ -107,13 +107,12 @@ const std::vector<VendorName>& vendor_names() {
          {"Position"}},
         {"rotational_speed",
          {"Rotational Speed", "Speed", "n", "Vitesse de rotation", "Drehzahl", "Umdrehungszahl",
-          "Velocidad", "Velocidad de giro", "Velocidad de rotación", "Numero di giri",
-          "Velocità di rotazione"},
+          "Drehgeschwindigkeit", "Rotationsgeschwindigkeit", "Velocidad", "Velocidad de giro",
+          "Velocidad de rotación", "Numero di giri", "Velocità di rotazione"},
          {"Vitesse", "Velocità"}},
         {"angular_velocity",
          {"Angular velocity", "Ω", "Vitesse angulaire", "Winkelgeschwindigkeit",
-          "Drehgeschwindigkeit", "Rotationsgeschwindigkeit", "Velocidad angular",
-          "Velocità angolare"},
+          "Velocidad angular", "Velocità angolare"},
          {"Velocity"}},
         {"shear_stress",
          {"Shear Stress", "τ", "Contrainte de Cisaillement", "Schubspannung", "Scherspannung",
@@ -168,9 +167,10 @@ const std::vector<VendorName>& vendor_names() {
          {"Shear velocity", "Shear speed", "Vitesse de Cisaillement", "Schergeschwindigkeit",
           "Velocidad de cizalla", "Velocidad de cizallamiento", "Velocità di taglio"}},
         {"solid_fraction",
-         {"Solid fraction", "Packing fraction", "Volume fraction", "Feststoffanteil",
-          "Packungsdichte", "Volumenanteil", "Compacité", "Fraction volumique", "Fracción sólida",
-          "Compacidad", "Frazione solida", "Compattezza"}},
+         {"Solid fraction", "Packing fraction", "Volume fraction", "Solid volume fraction",
+          "Feststoffanteil", "Feststoffvolumenanteil", "Packungsdichte", "Volumenanteil",
+          "Compacité", "Fraction solide", "Fraction volumique", "Fracción sólida", "Compacidad",
+          "Frazione solida", "Compattezza"}},
         {"bulk_density",
          {"Bulk density", "rho b", "ρb", "Schüttdichte", "Masse volumique apparente",
           "Densité apparente", "Densidad aparente", "Densità apparente"}},
@@ -220,8 +220,18 @@ std::string spaced(std::string_view text) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a text in place of a unit says how clock times are written: "min:s", "hh:mm:ss".
+bool is_clock_form(std::string_view unit) {
+    return unit.find(':') != std::string_view::npos &&
+           unit.find_first_not_of("hHmMsSin:.,") == std::string_view::npos;
+}
+
+}  // namespace
+
 bool unit_fits(std::string_view unit, std::string_view quantity_name) {
-    if (unit.empty()) return true;
+    if (unit.empty() || (quantity_name == "time" && is_clock_form(unit))) return true;
     const bool angular = quantity_name == "rotational_speed" || quantity_name == "angular_velocity";
     try {
         const Unit stated(unit);

@@ -211,7 +211,19 @@ Table read_table(const std::filesystem::path& path) {
     return table_of(path.string(), split_lines(text));
 }
 
-Table table_of(const std::string& file, const std::vector<std::string_view>& lines) {
+namespace {
+
+/// Whether a file ended within its last row.
+bool is_cut_row(const Table& table, std::string_view line, int number) {
+    if (table.rows.size() < fewest_rows_to_cut) return false;
+    const Row row = split_cells(line, table.delimiter, {table.file, number}, InnerQuotes::refused,
+                                table.of_sheet);
+    return row.cells.size() < table.header.cells.size();
+}
+
+}  // namespace
+
+Table table_of(const std::string& file, const std::vector<std::string_view>& lines, int* cut) {
     Table table{.file = file, .header = {}, .rows = {}};
     std::size_t first = 0;
     while (first < lines.size() && holds_no_row(lines[first]))
@@ -228,7 +240,12 @@ Table table_of(const std::string& file, const std::vector<std::string_view>& lin
     for (std::size_t i = first + 1; i < lines.size(); ++i) {
         if (holds_no_row(lines[i])) continue;
         const int number = static_cast<int>(i) + 1;
-        table.rows.push_back(row_of(table, lines[i], number, i + 1 == lines.size()));
+        const bool last = i + 1 == lines.size();
+        if (last && cut && is_cut_row(table, lines[i], number)) {
+            *cut = number;
+            break;
+        }
+        table.rows.push_back(row_of(table, lines[i], number, last));
         check_cell_count(table.rows.size() * table.header.cells.size(), table.file, number);
     }
     if (table.rows.empty())

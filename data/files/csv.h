@@ -81,8 +81,16 @@ Table read_table(const std::filesystem::path& path);
 
 /// Returns the table in the lines of a text, by the rules of `read_table`.
 /// @param file path of the file, for error messages
+/// @param cut if given, a last row with fewer cells than the header, of a table with at least
+///        `fewest_rows_to_cut` others, is left out, and this is its line
 /// @throws InputError as `read_table`
-Table table_of(const std::string& file, const std::vector<std::string_view>& lines);
+Table table_of(const std::string& file, const std::vector<std::string_view>& lines,
+               int* cut = nullptr);
+
+/// Rows from which on one that a file ends within may be left out. Chosen: what steady shear is
+/// averaged over has more (`shortest_step`), while of few rows, such as points of failure that
+/// people type, each counts, and is to be completed.
+constexpr std::size_t fewest_rows_to_cut = 10;
 
 /// Returns a text as one cell of a CSV file. A text with a delimiter (comma, semicolon or tab), a
 /// quote or a line end is put in quotes; its quotes are doubled and its line ends become blanks.

@@ -66,7 +66,11 @@ void refuse_markup(const std::filesystem::path& path, std::string_view text) {
         throw InputError({path.string()},
                          "is HTML, not a table: export as CSV or text, or open it in a "
                          "spreadsheet and save it as .xlsx");
-    const char* const kind = is_xml(begin, text) ? "XML" : is_json(begin) ? "JSON" : nullptr;
+    const char* const kind = is_xml(begin, text) ? "XML"
+                             : is_json(begin)    ? "JSON"
+                             : begin.starts_with("\\begin{") || begin.starts_with("\\documentclass")
+                                 ? "LaTeX"
+                                 : nullptr;
     if (kind)
         throw InputError({path.string()},
                          fmt::format("is {}, not a table: export as CSV or text (TRIOS: Export to "

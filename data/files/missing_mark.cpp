@@ -20,10 +20,10 @@ bool marks_no_value(std::string_view cell) {
     if (cell.find_first_not_of("*-") == std::string_view::npos) return cell != "*";
     // In English and German ("keine Angabe", "nicht bestimmt"), of Excel, and as programs in C
     // print what is no number.
-    constexpr std::array<std::string_view, 22> marks = {
-        "nan",    "na",   "n/a",     "#n/a",    "#nv",    "null",     "none",  "n.d.",
-        "-nan",   "n.a.", "n. d.",   "k.a.",    "k. a.",  "n.b.",     "n. b.", "\u2013",
-        "\u2014", "?",    "1.#qnan", "-1.#ind", "1.#ind", "-nan(ind)"};
+    constexpr std::array<std::string_view, 26> marks = {
+        "nan",     "na",      "n/a",    "#n/a",      "#nv",     "null",  "none",   "n.d.",   "-nan",
+        "n.a.",    "n. d.",   "k.a.",   "k. a.",     "n.b.",    "n. b.", "\u2013", "\u2014", "?",
+        "1.#qnan", "-1.#ind", "1.#ind", "-nan(ind)", "missing", "fehlt", "err",    "error"};
     return cell.size() <= 9 && std::ranges::find(marks, in_small_letters(cell)) != marks.end();
 }
 

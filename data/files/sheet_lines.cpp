@@ -49,12 +49,14 @@ void SheetLines::set(std::size_t column, std::string text) {
     if (!merged_.empty()) hold(column);
 }
 
-/// Keeps a number in a merged cell for the rows below.
+/// Keeps a number in a merged cell for the rows below, and a text such as the name of a column
+/// beside which others have a second line.
 void SheetLines::hold(std::size_t column) {
     const std::string& text = cells_[column];
     const auto merged = merged_.find({lines_, column});
-    if (merged == merged_.end() || !parse_number(text)) return;
+    if (merged == merged_.end()) return;
     const CellPlace& last = merged->second;
+    if (last.column > column && !parse_number(text)) return;  // a title
     if (last.column > column) {
         result_.wide.push_back(
             {line(), static_cast<int>(column) + 1, static_cast<int>(last.column) + 1, text});

@@ -118,6 +118,9 @@ DecodedText decode_bytes(const std::string& bytes, const std::filesystem::path& 
         if (candidate.starts_with("UTF-16") && text.size() % 2 == 1) text.remove_suffix(1);
         if (!convert(text, candidate.c_str(), result.text)) continue;
         result.encoding = candidate;
+        // Programs of DOS end a text with Ctrl-Z, and files that were not closed end with the zeros
+        // of the space that was reserved for them.
+        result.text.resize(result.text.find_last_not_of(std::string_view("\x1a\0", 2)) + 1);
         break;
     }
     if (result.encoding.empty() && !encoding.empty())

@@ -66,6 +66,10 @@ constexpr std::pair<std::string_view, std::string_view> characters[] = {
     // Abbreviations whose points would be products; in French, "mn" is a minute.
     {"r.p.m.", "rpm"},
     {"Umdr.", "turn"},
+    {"Sek.", "s"},
+    {"sek.", "s"},
+    {"seg.", "s"},
+    {"Min.", "min"},
     {"tr/mn", "turn/min"}};
 
 /// Spellings of units that UDUNITS does not know or misreads, with the spelling that UDUNITS reads.
@@ -85,7 +89,10 @@ const std::map<std::string, std::string, std::less<>> words = {
     {"kgfcm", "kgf.cm"},   {"gfcm", "gram_force.cm"},
     {"kp", "kgf"},         {"ozf", "(lbf/16)"},  // UDUNITS rounds the latter
     {"vuelta", "turn"},    {"vueltas", "turn"},
-    {"giro", "turn"},      {"Grad", "arc_degree"}};  // not a gigaradian
+    {"Sek", "s"},          {"sek", "s"},
+    {"seg", "s"},          {"Min", "min"},
+    {"psf", "(lbf/ft^2)"}, {"giro", "turn"},
+    {"Grad", "arc_degree"}};  // not a gigaradian
 
 /// Spellings in the wrong case that UDUNITS reads as another unit, with the unit that is meant.
 const std::map<std::string, std::string, std::less<>> case_traps = {

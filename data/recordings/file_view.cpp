@@ -10,6 +10,7 @@
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
 #include "data/recordings/columns_by_unit.h"
+#include "data/recordings/point_texts.h"
 #include "data/recordings/test_kinds.h"
 
 namespace pendular {
@@ -120,10 +121,17 @@ void split_by_interval(BlockFile& file) {
 /// Appends the rows of a table of points as one block each.
 void append_points(const Block& whole, BlockFile& file) {
     const Columns columns(whole.table);
-    for (const Row& row : whole.table.rows) {
+    const PointTexts texts = texts_of_points(whole);
+    for (std::size_t i = 0; i < whole.table.rows.size(); ++i) {
+        const Row& row = whole.table.rows[i];
         count_interval(file, row.line, whole.columns.size());
         Block& block = file.blocks.emplace_back();
         block.test = whole.test;
+        if (!texts.tests.empty()) {
+            if (!block.test.empty()) block.test += ", ";
+            block.test += texts.tests[i];
+        }
+        if (!texts.preshears.empty() && texts.preshears[i]) block.stated_role = "preshear";
         block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
         block.preshear_shear_stress = columns.value_if_any(row, "preshear_shear_stress");
         block.bulk_density = columns.value_if_any(row, "bulk_density");

@@ -12,6 +12,7 @@
 #include "data/quantities/statistics.h"
 #include "data/recordings/column_kinds.h"
 #include "data/recordings/plausibility.h"
+#include "data/recordings/recording.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/test_kinds.h"
 #include "data/recordings/time_series.h"
@@ -30,6 +31,7 @@ struct Loading {
     std::optional<SpeedRamp> ramp;  ///< speeds between which the lid's speed changed, if it did
     std::optional<std::string> load_ramp;  ///< as text, if the normal stress changed throughout
     std::optional<std::string> unsteady;   ///< as text, for stress growth or stick-slip
+    std::size_t steps = 1;                 ///< of constant speed and load
 };
 
 double largest_known(const std::vector<double>& values) {
@@ -41,6 +43,28 @@ double largest_known(const std::vector<double>& values) {
 
 bool any_known(const std::vector<double>& values) {
     return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
+}
+
+/// Number of the steps of constant speed and load in an interval, as a study splits it. 1 for
+/// values that all lie within the 5 % by which steps differ, and where some are unknown.
+std::size_t steps_of(const IntervalSeries& series) {
+    constexpr double least_change = 0.05;  // as in steps.cpp
+    const auto changes = [&](const std::vector<double>& values) {
+        if (values.empty()) return false;
+        const auto [least, greatest] = std::ranges::minmax_element(values);
+        return *greatest - *least > least_change * std::max(std::abs(*least), std::abs(*greatest));
+    };
+    const auto known = [](const std::vector<double>& values) {
+        return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    };
+    Recording recording;
+    recording.line = series.line;
+    recording.angular_velocity = series.angular_velocity;
+    recording.normal_force = series.normal();
+    if (!known(recording.angular_velocity) || !known(recording.normal_force) ||
+        !(changes(recording.angular_velocity) || changes(recording.normal_force)))
+        return 1;
+    return split_steps(recording).size();
 }
 
 /// Angle by which the lid turned during an interval [rad]; empty without time and speed.
@@ -105,6 +129,7 @@ std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
         loading.load_ramp = load_ramp(each);
         loading.unsteady = stress_growth(each);
         if (!loading.unsteady) loading.unsteady = stick_slip(each);
+        loading.steps = steps_of(each);
         result.push_back(loading);
     }
     return result;
@@ -151,8 +176,11 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
     if (!own.pressed) return {"steady", "sheared, but not under a normal stress as grains are"};
     if (own.angle && *own.angle > long_turn && own.load_ramp) return {"other", *own.load_ramp};
     if (own.angle && *own.angle > long_turn && own.unsteady) return {"other", *own.unsteady};
+    const std::string steps =
+        own.steps > 1 ? fmt::format("{} steps of constant speed and load", own.steps) : "";
     if (own.angle && *own.angle > long_turn)
-        return {"steady", fmt::format("the lid turned by {:.2g} rad", *own.angle)};
+        return {"steady", fmt::format("the lid turned by {:.2g} rad{}{}", *own.angle,
+                                      steps.empty() ? "" : " in ", steps)};
     const auto before = sheared_neighbour(file, loading, i, -1);
     const auto after = next_level(file, loading, i);
     if (only_every_fourth(file.blocks))
@@ -170,7 +198,7 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
                                        *own.angle)};
     if (own.load_ramp) return {"other", *own.load_ramp};
     if (own.unsteady) return {"other", *own.unsteady};
-    return {"steady", "sheared at constant set points"};
+    return {"steady", "sheared" + (steps.empty() ? " at constant set points" : " in " + steps)};
 }
 
 IntervalRole role_of_resting(const BlockFile& file, const std::vector<Loading>& loading,

@@ -10,6 +10,7 @@
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
 #include "data/files/file_access.h"
+#include "data/files/formats/cut_row.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/missing_values.h"
 #include "data/files/formats/number_style.h"
@@ -57,12 +58,15 @@ class QuickReader {
             if (!read_line(text.substr(from, end - from))) return false;
             from = end + 1;
         }
+        row_before_ = std::string(row_);
+        row_ = row_before_;
         rest_ = std::string(text.substr(from));
         return rest_.size() < longest_line;
     }
 
     std::optional<Recording> finish() {
-        if (!rest_.empty() && !read_line(rest_, true)) return std::nullopt;
+        if (!rest_.empty() && (may_end_within_row() || !read_line(rest_, true)))
+            return std::nullopt;
         if (!rows_) return std::nullopt;
         if (point_open_ && !point_known_) {
             if (too_large_)
@@ -77,6 +81,16 @@ class QuickReader {
     }
 
   private:
+    /// Whether the last line, which no line end follows, may end within a number, on which the
+    /// general reader has its say: by the row before it. One more or less of the millions of rows
+    /// that only this reader reads changes nothing.
+    bool may_end_within_row() const {
+        const auto last_cell = [&](std::string_view row) {
+            return trimmed(row.substr(row.find_last_of(table_.delimiter) + 1));
+        };
+        return !too_large_ && may_be_cut(last_cell(rest_), last_cell(row_));
+    }
+
     /// Bytes of a line from which on the file is left to the general reader, so that a file without
     /// line ends is not kept in `rest_`.
     static constexpr std::size_t longest_line = 1 << 20;
@@ -140,7 +154,10 @@ class QuickReader {
         ++line_;
         if (line.ends_with('\r')) line.remove_suffix(1);
         if (line_ == 1 || line.empty()) return true;  // the header, or a blank line
-        if (split(line) && rows_->add(line_, numbers_)) return true;
+        if (split(line) && rows_->add(line_, numbers_)) {
+            row_ = line;
+            return true;
+        }
         if (printable(line) != line) return false;
         if (holds_no_row(line)) return true;
         if (too_large_) add_text_row(row_of(table_, line, line_, last));
@@ -150,7 +167,8 @@ class QuickReader {
     /// Adds a row of a file that is too long to be read as text, where no row is left out.
     void add_text_row(const Row& row) {
         for (std::size_t i = 0; i < row.cells.size(); ++i)
-            if (rows_->needs(i) && parse_number(row.cells[i].text) == usual_missing_value)
+            if (rows_->needs(i) &&
+                is_usual_missing_value(parse_number(row.cells[i].text).value_or(0)))
                 throw InputError(table_.at(row, i), "the value is missing; remove the line");
         rows_->add(row);
     }
@@ -169,7 +187,7 @@ class QuickReader {
             const std::string_view begin = line;
             const auto number = take_number(line);
             if (!number) return false;
-            if (*number == usual_missing_value && rows_->needs(i)) return false;
+            if (is_usual_missing_value(*number) && rows_->needs(i)) return false;
             if (!point_known_) look_at_point(begin.substr(0, begin.size() - line.size()));
             numbers_[i] = *number;
             while (pass(' '))
@@ -188,7 +206,9 @@ class QuickReader {
     std::string file_;
     std::size_t most_rows_;
     bool too_large_;
-    std::string rest_;  ///< begin of a line whose end is in the next part
+    std::string rest_;        ///< begin of a line whose end is in the next part
+    std::string_view row_;    ///< last row that was read, in the present part or `row_before_`
+    std::string row_before_;  ///< copy of the last row of the part before
     int line_ = 0;
     bool point_known_ = false, point_open_ = false;
     Table table_;  ///< of the header and the first row

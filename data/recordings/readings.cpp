@@ -374,6 +374,11 @@ Measurements read_points(const std::filesystem::path& path, const Source& source
                          fmt::format("holds {} tables; a table of readings must be one: write each "
                                      "into a file of its own",
                                      file.blocks.size()));
+    if (!file.skipped.empty())  // each reading counts
+        throw InputError({path.string(), file.skipped.front().first_line()},
+                         file.skipped.front().kind == Remark::Kind::cut_short
+                             ? "this row is cut short: complete or remove it"
+                             : "this line is no reading: remove it, or begin it with '#'");
     const Table& table = file.blocks.front().table;
     const Columns columns(table);
     refuse_misspelt(table, columns);

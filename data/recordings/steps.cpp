@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
+#include <utility>
 
 #include "data/quantities/statistics.h"
 #include "data/recordings/recording.h"
@@ -123,19 +125,33 @@ std::vector<Step> without_passages(const std::vector<Step>& steps) {
     return result;
 }
 
+/// Steps of constant speed and normal force within an interval, which an instrument may not
+/// number anew where the load changes.
+std::vector<Step> steps_within(const Recording& recording, const Step& interval) {
+    const std::size_t size = interval.end - interval.begin;
+    std::vector<std::size_t> boundaries;
+    for (const auto* const column : {&recording.angular_velocity, &recording.normal_force})
+        if (!column->empty())  // as without `fill_from_stresses`
+            std::ranges::copy(jumps(Series(*column).subspan(interval.begin, size)),
+                              std::back_inserter(boundaries));
+    std::vector<Step> steps = without_passages(between(std::move(boundaries), size));
+    for (Step& step : steps) {
+        step.begin += interval.begin;
+        step.end += interval.begin;
+    }
+    return steps;
+}
+
 }  // namespace
 
 std::vector<Step> split_steps(const Recording& recording) {
     std::vector<std::size_t> boundaries;
-    if (!recording.interval.empty()) {
-        for (std::size_t i = 1; i < recording.size(); ++i)
-            if (recording.interval[i] != recording.interval[i - 1]) boundaries.push_back(i);
-        return between(boundaries, recording.size());
-    }
-    boundaries = jumps(recording.angular_velocity);
-    const std::vector<std::size_t> of_force = jumps(recording.normal_force);
-    boundaries.insert(boundaries.end(), of_force.begin(), of_force.end());
-    return without_passages(between(boundaries, recording.size()));
+    for (std::size_t i = 1; i < recording.interval.size(); ++i)
+        if (recording.interval[i] != recording.interval[i - 1]) boundaries.push_back(i);
+    std::vector<Step> steps;
+    for (const Step& interval : between(boundaries, recording.size()))
+        std::ranges::copy(steps_within(recording, interval), std::back_inserter(steps));
+    return steps;
 }
 
 }  // namespace pendular

@@ -96,11 +96,11 @@ std::string impossible_reading_text(const Remark& reading) {
 std::string rows_text(const Remark& rows) {
     switch (rows.kind) {
         case Kind::after_interval:
-            return "after the end of an interval";
+            return "after the end of an interval or of the table";
         case Kind::without_point_number:
             return "without a point number";
         case Kind::cut_short:
-            return "cut short: it has fewer cells than the row before";
+            return "cut short: the file ends within it, or it has fewer cells than the row before";
         case Kind::without_segment:
             return "without segment and point, as 2|15";
         case Kind::marked_invalid:

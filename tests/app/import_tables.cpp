@@ -105,6 +105,31 @@ TEST(ImportFile, CallsForcesOnALeverSo) {
     EXPECT_THAT(run.output, AllOf(HasSubstr("largest lever force [N]"), Not(HasSubstr("[Pa]"))));
 }
 
+/// A study with files that are called wet in any language begins with a liquid to be filled in.
+TEST(BegunStudy, HasALiquidWhereAFileIsCalledWet) {
+    const TemporaryFolder folder;
+    std::string text = "Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [rpm]\n";
+    for (int i = 0; i < 30; ++i)
+        text += fmt::format("{},2{},20,6.2{},5\n", i, i % 7, i % 3);
+    const std::string dry = folder.write("secco.csv", text).string() + " ";
+    for (const char* const wet : {"umido_3", "feucht 2 %", "Nass1", "mouillé", "arena_húmeda",
+                                  "glass_w10_3kPa", "moist-sand"}) {
+        const std::filesystem::path study = folder.path() / (std::string(wet) + "_study");
+        const Outcome run = run_pendular("import " + dry + "'" +
+                                         folder.write(std::string(wet) + ".csv", text).string() +
+                                         "' --study '" + study.string() + "'");
+        ASSERT_EQ(run.code, 0) << run.errors;
+        EXPECT_THAT(content_of(study / "study.toml"), HasSubstr("[liquid]\nsurface_tension"))
+            << wet;
+    }
+    for (const char* const other : {"wall_without", "niveau", "umidita"}) {
+        const std::filesystem::path study = folder.path() / (std::string(other) + "_study");
+        run_pendular("import " + dry + folder.write(std::string(other) + ".csv", text).string() +
+                     " --study " + study.string());
+        EXPECT_THAT(content_of(study / "study.toml"), Not(HasSubstr("[liquid]"))) << other;
+    }
+}
+
 std::string wall_points(double adhesion, double noise) {
     std::string text = "Wall normal stress [Pa],Wall shear stress [Pa]\n";
     for (const int k : {1, 2, 3, 4})

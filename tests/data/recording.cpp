@@ -127,11 +127,18 @@ std::vector<std::size_t> ends(const std::vector<Step>& steps) {
     return result;
 }
 
-TEST(SplitSteps, FollowsTheIntervalColumnAlone) {
+/// An interval in which the load changes is two steps: their mean is that of no load.
+TEST(SplitSteps, FollowsTheIntervalColumnAndTheLoadWithin) {
     Recording recording = with(levels({{5, 30}, {10, 30}}, 0.01), levels({{0.1, 60}}, 0));
     recording.interval.assign(60, 1);
     for (std::size_t i = 50; i < 60; ++i)
         recording.interval[i] = 2;
+    EXPECT_THAT(ends(split_steps(recording)), ElementsAre(30, 50, 60));
+    // An interval of constant load is one, and ends where the column says, even if the load does
+    // not change there.
+    recording = with(levels({{5, 60}}, 0.01), levels({{0.1, 60}}, 0));
+    recording.interval.assign(60, 1);
+    std::fill(recording.interval.begin() + 50, recording.interval.end(), 2);
     EXPECT_THAT(ends(split_steps(recording)), ElementsAre(50, 60));
 }
 

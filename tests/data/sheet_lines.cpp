@@ -39,4 +39,20 @@ TEST(SheetLines, RefusesMoreTextInOneRow) {
         InputError);
 }
 
+/// "Time [s]" may be merged over two lines of names; a title over several columns is none.
+TEST(SheetLines, HoldsANameMergedOverTwoRows) {
+    SheetLines lines("b.xlsx [A]", 3);
+    lines.merge({0, 0}, {1, 0});
+    lines.merge({0, 1}, {0, 2});
+    lines.begin_row(false);
+    lines.set(0, "Time [s]");
+    lines.set(1, "Answer");
+    lines.end_row();
+    lines.begin_row(false);
+    lines.set(1, "Torque [N m]");
+    lines.set(2, "Gap [mm]");
+    lines.end_row();
+    EXPECT_EQ(lines.take().text, "Time [s]\tAnswer\t\nTime [s]\tTorque [N m]\tGap [mm]\n");
+}
+
 }  // namespace pendular::sheet_lines_test

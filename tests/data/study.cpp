@@ -150,6 +150,7 @@ TEST_F(ReadStudy, RefusesImpossibleGrainsAndLiquids) {
     told.push_back(error(start + "\"90 deg\"\n"));
     told.push_back(error(start + "2\n"));
     told.push_back(error(start + "\"1 deg\"\nviscosity = \"-1 Pa s\"\n"));
+    told.push_back(error(grains + "[liquid]\nsurface_tension = \"65 N/m\"\n"));
     expect_told(told);
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "data/files/formats/clock_times.h"
+#include "data/files/formats/cut_row.h"
 #include "data/files/formats/missing_values.h"
 #include "data/files/formats/named_columns.h"
 #include "data/files/formats/preamble.h"
@@ -108,6 +109,12 @@ bool number_intervals(BlockFile& file, Block& block, std::size_t column) {
     return true;
 }
 
+bool has_number(const Table& table, std::size_t column) {
+    return std::ranges::any_of(table.rows, [&](const Row& row) {
+        return parse_number(row.cells[column].text).has_value();
+    });
+}
+
 /// Whether a column has no text but whole numbers.
 bool has_whole_numbers(const Table& table, std::size_t column) {
     return std::ranges::all_of(table.rows, [&](const Row& row) {
@@ -124,7 +131,8 @@ void drop_other_intervals(BlockFile& file) {
         for (std::size_t i = 0; i < block.columns.size(); ++i) {
             BlockColumn& column = block.columns[i];
             if (column.quantity != "interval" || number_intervals(file, block, i) ||
-                find_quantity(column.name) || has_whole_numbers(block.table, i))
+                (find_quantity(column.name) && has_number(block.table, i)) ||
+                has_whole_numbers(block.table, i))
                 continue;
             column.quantity.clear();
             block.table.header.cells[i].text = fmt::format("{}, column {}", column.name, i + 1);
@@ -298,13 +306,18 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
     FileText text = text_of_file(path, format);
     refuse_lists(path, text.decoded.text);
     const bool of_sheet = as_sheet(path).has_value();
+    // A file that is cut may end within a number.
+    const bool open_end =
+        !of_sheet && !text.decoded.text.ends_with('\n') && !text.decoded.text.ends_with('\r');
     const TextShape shape_of_text =
         of_sheet ? TextShape::delimited : shape(text.decoded.text, path, format);
     BlockFile file;
     file.file = path.string();
     file.encoding = text.decoded.encoding;
     file.hidden = text.hidden;
-    read_tables({file.file, split_lines(text.decoded.text), of_sheet}, format, file);
+    const std::vector<std::string_view> lines = split_lines(text.decoded.text);
+    read_tables({file.file, lines, of_sheet}, format, file);
+    if (open_end) leave_out_cut_row(file, static_cast<int>(lines.size()));
     if (shape_of_text == TextShape::blanks) file.delimiter = ' ';
     if (shape_of_text == TextShape::bars) file.delimiter = '|';
     use_named_columns(file, format);

@@ -55,19 +55,18 @@ class Clearer {
 
     /// Clears the usual missing value in a column of measured values.
     void clear_usual(Table& table, std::size_t column) {
-        double lowest = std::numeric_limits<double>::infinity();
-        bool any = false;
+        double lowest = std::numeric_limits<double>::infinity(), missing = 0;
         for (const Row& row : table.rows) {
             const auto number = parse_number(row.cells[column].text);
             if (!number) continue;
-            if (*number == usual_missing_value)
-                any = true;
+            if (is_usual_missing_value(*number) && (missing == 0 || missing == *number))
+                missing = *number;
             else
                 lowest = std::min(lowest, *number);
         }
-        if (!any || lowest < usual_missing_value / 2) return;
+        if (missing == 0 || lowest < missing / 2) return;
         for (std::size_t row = 0; row < table.rows.size(); ++row)
-            if (parse_number(table.rows[row].cells[column].text) == usual_missing_value)
+            if (parse_number(table.rows[row].cells[column].text) == missing)
                 clear(table, row, column);
     }
 

@@ -5,6 +5,7 @@
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/formats/unit_cells.h"
 #include "data/files/header_cell.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
@@ -71,7 +72,10 @@ Layout plain_layout() {
     return {"plain", "table with one header", [](const SourceLines&) { return true; },
             [](const SourceLines& source, const FileFormat& format, BlockFile& file) {
                 Block block;
-                block.table = table_of(source.file, source.lines);
+                int cut = 0;
+                block.table = table_of(source.file, source.lines, &cut);
+                if (cut > 0) skip_line(file, cut, Remark::Kind::cut_short);
+                take_unit_row(block.table);
                 state_columns(block.table, format);
                 refuse_lists(block.table);
                 const Row written = block.table.header;

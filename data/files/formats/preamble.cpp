@@ -1,12 +1,14 @@
 #include "data/files/formats/preamble.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <optional>
 #include <set>
 #include <string_view>
 
 #include "data/files/column_names.h"
+#include "data/files/formats/stacked_rows.h"
 #include "data/files/header_cell.h"
 #include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
@@ -126,6 +128,72 @@ void take_labview_header(SourceLines& source, char delimiter, BlockFile& file) {
         add_stated(source.row(i, delimiter), file);
         source.lines[i] = {};
     }
+    // The names end with that of a comment, which rows without one lack.
+    if (end + 1 >= source.lines.size()) return;
+    std::string_view& names = source.lines[end];
+    const std::size_t last = names.rfind(delimiter);
+    if (last != std::string_view::npos && names.substr(last + 1) == "Comment" &&
+        std::ranges::count(source.lines[end + 1], delimiter) < std::ranges::count(names, delimiter))
+        names = names.substr(0, last);
+}
+
+/// Whether a line ends the table that stands above it: its first cell is a word, such as "Mean", or
+/// signs around one, as in "*** End ***".
+bool begins_with_word(const Row& row) {
+    const auto first =
+        std::ranges::find_if(row.cells, [](const Cell& cell) { return !cell.text.empty(); });
+    if (first == row.cells.end() || marks_no_value(first->text)) return false;
+    const std::string_view signs = "*=~<_([";
+    const auto c = static_cast<unsigned char>(
+        first->text[std::min(first->text.find_first_not_of("*-=~<_([ "), first->text.size() - 1)]);
+    return std::isalpha(c) || c > 0x7f ||
+           signs.find(static_cast<char>(c)) != std::string_view::npos;
+}
+
+/// Leaves out the lines below the rows of a table: means of the columns, signatures, and "End of
+/// data".
+/// @param first index of the first row
+void take_lines_below(SourceLines& source, std::size_t first, char delimiter, BlockFile& file) {
+    constexpr std::size_t most_lines_below = 20, fewest_rows = 3;
+    std::size_t end = source.lines.size();
+    std::vector<std::size_t> below;
+    for (; end > first && below.size() <= most_lines_below; --end) {
+        if (first_filled_line(source, end - 1) != end - 1 || source.lines[end - 1].starts_with('#'))
+            continue;
+        if (!begins_with_word(source.row(end - 1, delimiter))) break;
+        below.push_back(end - 1);
+    }
+    if (below.size() > most_lines_below || end < first + fewest_rows) return;
+    // In a table whose rows all begin with a word, these are rows too.
+    if (begins_with_word(source.row(first, delimiter))) return;
+    std::ranges::reverse(below);
+    for (const std::size_t line : below) {
+        source.lines[line] = {};
+        skip_line(file, static_cast<int>(line) + 1, Remark::Kind::after_interval);
+    }
+}
+
+/// @throws InputError at a line of one of two that begin with the name of a quantity, with numbers
+///         in all other cells
+void refuse_lying_table(const SourceLines& source, char delimiter) {
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < std::min(source.lines.size(), most_lines); ++i) {
+        if (first_filled_line(source, i) != i) continue;
+        if (source.lines[i].find('"') != std::string_view::npos) return;
+        const Row row = source.row(i, delimiter);
+        const bool numbers =
+            row.cells.size() > 2 && row.cells.size() <= most_cells_examined &&
+            std::all_of(row.cells.begin() + 1, row.cells.end(), [](const Cell& cell) {
+                return parse_number(cell.text) || has_decimal_comma(cell.text);
+            });
+        if (!numbers || named_quantities({row.line, {row.cells.front()}}) == 0) return;
+        if (before > 0)
+            throw InputError({source.file, static_cast<int>(before)},
+                             "the names of the columns stand at the begin of lines; they must be "
+                             "above columns of numbers: transpose the table, in a spreadsheet by "
+                             "Paste special, Transpose");
+        before = i + 1;
+    }
 }
 
 }  // namespace
@@ -135,8 +203,10 @@ void take_preamble(SourceLines& source, BlockFile& file) {
     if (!source.lines.empty() && source.lines[0].starts_with("LabVIEW Measurement"))
         take_labview_header(source, delimiter, file);
     std::vector<ExaminedLine> lines;
+    refuse_lying_table(source, delimiter);
     try {
         lines = lines_above_rows(source, delimiter);
+        if (!lines.empty()) take_lines_below(source, lines.back().index, delimiter, file);
     } catch (const InputError&) {  // a quote, on which the layout has its say
         return;
     }

@@ -78,6 +78,9 @@ class StackedReader {
             if (number) point = *number;
             add_row(file_, file_.blocks.back(), row);
         }
+        // "4;4" at the end is the begin of a row rather than an interval without rows.
+        if (announced_ && !file_.blocks.empty())
+            skip_line(file_, announced_at_, Remark::Kind::cut_short);
     }
 
   private:
@@ -88,6 +91,7 @@ class StackedReader {
         const int number = count_of(row.cells[0].text), rows = count_of(row.cells[1].text);
         if (number == 0 || rows == 0) return false;
         announced_ = true;
+        announced_at_ = row.line;
         number_ = number;
         declared_ = static_cast<std::size_t>(rows);
         return true;
@@ -108,6 +112,7 @@ class StackedReader {
     const SourceLines& source_;
     BlockFile& file_;
     bool announced_ = false;
+    int announced_at_ = 0;  ///< line
     int number_ = 0;
     std::size_t declared_ = 0;
 };

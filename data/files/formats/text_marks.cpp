@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "data/quantities/number.h"
+
 namespace pendular {
 namespace {
 
@@ -58,7 +60,37 @@ void join_quoted_lines(std::string& text) {
     }
 }
 
+namespace {
+
+/// Replaces each of the signs between others than digits by blanks, as many as it has bytes.
+/// Between digits, they may divide thousands.
+void blank_out(std::string& text, std::string_view sign) {
+    const auto digit = [&](std::size_t i) {
+        return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i]));
+    };
+    for (std::size_t at = text.find(sign); at != std::string::npos;
+         at = text.find(sign, at + sign.size()))
+        if (!(at > 0 && digit(at - 1) && digit(at + sign.size())))
+            text.replace(at, sign.size(), sign.size(), ' ');
+}
+
+/// Lets "µ", "°" and "²" be themselves where a program took their bytes in UTF-8 for two characters
+/// of another encoding, as in "ÂµNm".
+void repair_signs(std::string& text) {
+    constexpr std::string_view twice = "\u00c2\u00b5";  // and others that begin alike
+    const std::string_view begin = twice.substr(0, 3);
+    for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+        if (at + 3 < text.size() &&
+            std::string_view("\xB5\xB0\xB2\xB3\xB7").find(text[at + 3]) != std::string_view::npos)
+            text.erase(at, 2);
+}
+
+}  // namespace
+
 void unify_signs(std::string& text) {
+    for (const std::string_view blank : {"\u00a0", "\u202f"})
+        blank_out(text, blank);
+    repair_signs(text);
     constexpr std::string_view minus = "\u2212";
     const auto digit = [&](std::size_t i) {
         return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i]));
@@ -89,6 +121,46 @@ void unify_signs(std::string& text) {
             // Only behind a decimal point: "3D-2" is a name.
             if (begin > 0 && text[begin - 1] == '.') text[at] = 'E';
         }
+}
+
+namespace {
+
+/// Number of the cells with a text in a line with tabs between them, and of its tabs.
+struct TabbedLine {
+    std::size_t filled = 0, tabs = 0;
+};
+
+TabbedLine tabbed(std::string_view line) {
+    TabbedLine found;
+    bool in_cell = false;
+    for (const char c : line) {
+        found.tabs += c == '\t';
+        const bool fills = c != '\t' && (in_cell || c != ' ');
+        found.filled += fills && !in_cell;
+        in_cell = fills;
+    }
+    return found;
+}
+
+}  // namespace
+
+void join_tabs(std::string& text) {
+    if (text.find("\t\t") == std::string::npos) return;
+    TabbedLine first;
+    bool aligned = false;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+        const std::string_view line = std::string_view(text).substr(begin, end - begin);
+        begin = end + 1;
+        if (trimmed(line).empty()) continue;
+        const TabbedLine here = tabbed(line);
+        if (first.filled == 0) first = here;
+        if (here.filled != first.filled || here.filled < 2 || line.starts_with('\t')) return;
+        aligned = aligned || here.tabs != first.tabs;
+    }
+    if (!aligned) return;
+    for (std::size_t i = 0; i + 1 < text.size(); ++i)
+        if (text[i] == '\t' && text[i + 1] == '\t') text[i] = ' ';
 }
 
 }  // namespace pendular

@@ -89,6 +89,12 @@ bool is_number(std::string_view cell) {
     return parse_number(cell) || has_decimal_comma(cell);
 }
 
+/// Cell without the quotes around it.
+std::string_view unquoted(std::string_view cell) {
+    const bool quoted = cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"');
+    return quoted ? cell.substr(1, cell.size() - 2) : cell;
+}
+
 /// Number of the cells of a row of numbers between blanks; 0 for other lines.
 std::size_t numbers_between_blanks(std::string_view line) {
     if (line.find_first_of("\t;|") != std::string_view::npos) return 0;
@@ -96,7 +102,7 @@ std::size_t numbers_between_blanks(std::string_view line) {
     std::size_t numbers = 0;
     for (std::size_t k = 0; k < begins.size(); ++k) {
         const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : line.size();
-        const std::string_view cell = trimmed(line.substr(begins[k], end - begins[k]));
+        const std::string_view cell = unquoted(trimmed(line.substr(begins[k], end - begins[k])));
         numbers += is_number(cell);
         if (!is_number(cell) && !marks_no_value(cell)) return 0;
     }
@@ -183,6 +189,7 @@ void uncomment_names(std::string& text, const std::vector<TextLine>& lines, std:
         if (comment_sign(line).empty()) return;
         const std::string names = uncommented(line);
         const std::vector<std::size_t> begins = cells_of(names);
+        if (begins.size() < 2 && first == row && i + 3 >= row) continue;  // a title: "# 4 kPa"
         if (begins.size() < 2) break;
         first = i;
         if (names_quantities(names, begins)) break;
@@ -191,8 +198,11 @@ void uncomment_names(std::string& text, const std::vector<TextLine>& lines, std:
     if (first == row) return;
     const std::string top = uncommented(lines[first].of(text));
     if (!names_quantities(top, cells_of(top))) return;
-    for (std::size_t i = first; i < row; ++i)
-        text.replace(lines[i].begin, lines[i].end - lines[i].begin, uncommented(lines[i].of(text)));
+    for (std::size_t i = first; i < row; ++i) {
+        const std::string names = uncommented(lines[i].of(text));
+        if (cells_of(names).size() >= 2)
+            text.replace(lines[i].begin, lines[i].end - lines[i].begin, names);
+    }
 }
 
 /// Lets other comment signs be '#', of comments above the numbers.
@@ -206,7 +216,8 @@ void unify_comments(std::string& text, const std::vector<TextLine>& lines, std::
 
 /// Lets blanks stand for the commas between the names above a table of `cells` columns between
 /// blanks, as in "# time, torque", and a tab for the first of the blanks above a first column
-/// without a name, which numbers the rows.
+/// without a name, which numbers the rows. R writes no blank there: the quotes of the first name
+/// give way.
 void divide_names(std::string& text, const std::vector<TextLine>& lines, std::size_t row,
                   std::size_t cells) {
     for (std::size_t i = 0; i < row; ++i) {
@@ -215,9 +226,13 @@ void divide_names(std::string& text, const std::vector<TextLine>& lines, std::si
         const auto commas = static_cast<std::size_t>(std::count(begin, end, ','));
         if (commas + 1 == cells) std::replace(begin, end, ',', ' ');
         const std::string_view line = lines[i].of(text);
-        if (line.starts_with(' ') && comment_sign(line).empty() &&
-            header_cells(line, cells).empty() && !header_cells(line, cells - 1).empty())
-            *begin = '\t';
+        if (!line.starts_with(' ') && !line.starts_with('"')) continue;
+        if (!comment_sign(line).empty() || !header_cells(line, cells).empty() ||
+            header_cells(line, cells - 1).empty())
+            continue;
+        const std::size_t closing = line.starts_with('"') ? line.find('"', 1) : std::string::npos;
+        if (closing != std::string::npos) *(begin + static_cast<std::ptrdiff_t>(closing)) = ' ';
+        *begin = '\t';
     }
 }
 
@@ -312,6 +327,7 @@ void uncomment_delimited(std::string& text, const std::vector<TextLine>& lines) 
 
 TextShape shape_text(std::string& text) {
     unify_signs(text);
+    join_tabs(text);
     const std::vector<TextLine> lines = first_lines(text);
     if (divide_at_blanks(text, lines)) return TextShape::blanks;
     if (divide_at_bars(text, lines)) return TextShape::bars;

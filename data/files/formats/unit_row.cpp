@@ -6,48 +6,13 @@
 #include "data/files/formats/clock_times.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/stacked_rows.h"
+#include "data/files/formats/unit_cells.h"
 #include "data/files/header_cell.h"
 #include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
 namespace {
-
-/// Whether a cell at the begin of a row says that the others are units, as programs for plots write
-/// it.
-bool says_units(const Cell& cell) {
-    const std::string word = in_small_letters(cell.text);
-    return word == "units" || word == "unit" || word == "einheiten" || word == "einheit" ||
-           word == "unités" || word == "unité" || word == "unidades" || word == "unidad" ||
-           word == "unità";
-}
-
-/// Whether a row holds units in brackets and no numbers.
-bool is_unit_row(const Row& row) {
-    int units = 0;
-    for (const Cell& cell : row.cells) {
-        if (cell.text.starts_with('[') && cell.text.ends_with(']'))
-            ++units;
-        else if (!cell.text.empty() && !(&cell == &row.cells.front() && says_units(cell)))
-            return false;
-    }
-    return units > 0;
-}
-
-/// Whether a row holds units without brackets, at least one of which is that of the quantity named
-/// above it: "s", "mN m", "N".
-bool is_bare_unit_row(const Row& names, const Row& row) {
-    int units = 0, fitting = 0;
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-        const std::string unit = bare_unit(row.cells[i].text);
-        if (unit.empty() || unit == "-" || (i == 0 && says_units(row.cells[i]))) continue;
-        if (!is_unit(unit) || parse_number(unit)) return false;
-        ++units;
-        fitting += i < names.cells.size() &&
-                   !meaning_of_column(names.cells[i].text, unit).quantity.empty();
-    }
-    return units >= 2 && fitting >= 1;
-}
 
 /// Index of the line of units below the names of the line `header`; the number of lines if there is
 /// none. Up to two lines of remarks, such as "Waveform", may stand between.
@@ -58,7 +23,7 @@ std::size_t line_of_units(const SourceLines& source, std::size_t header, char de
         line = first_filled_line(source, line + 1);
         if (line >= source.lines.size()) break;
         const Row row = source.row(line, delimiter);
-        if (is_unit_row(row) || is_bare_unit_row(names, row)) return line;
+        if (is_unit_row(names, row)) return line;
         const bool numbers = std::ranges::any_of(row.cells, [](const Cell& cell) {
             return parse_number(cell.text) || has_decimal_comma(cell.text);
         });
@@ -129,6 +94,24 @@ bool lacks_unit(const NamesAndUnits& columns, const Row& row) {
     return std::ranges::all_of(columns.units, &std::string::empty);
 }
 
+/// Index of the line after the units from which on rows are read: lines of remarks without a
+/// number, such as the comments of Origin, are passed over.
+std::size_t first_row_below(const SourceLines& source, std::size_t line, char delimiter) {
+    constexpr int most_remarks = 3;
+    for (int remarks = 0; remarks < most_remarks; ++remarks) {
+        const std::size_t filled = first_filled_line(source, line);
+        if (filled >= source.lines.size()) break;
+        const Row row = source.row(filled, delimiter);
+        const bool texts = std::ranges::all_of(row.cells, [](const Cell& cell) {
+            return cell.text.empty() || (!marks_no_value(cell.text) && !parse_number(cell.text) &&
+                                         !has_decimal_comma(cell.text) && !clock_time(cell.text));
+        });
+        if (!texts) break;
+        line = filled + 1;
+    }
+    return line;
+}
+
 void read_unit_row_table(const SourceLines& source, const FileFormat& format, BlockFile& file) {
     const std::size_t first = first_filled_line(source, 0);
     if (first == source.lines.size()) throw InputError({source.file}, "is empty");
@@ -139,7 +122,7 @@ void read_unit_row_table(const SourceLines& source, const FileFormat& format, Bl
     const bool has_units = units < source.lines.size();
     NamesAndUnits columns =
         has_units ? columns_of(header, source.row(units, file.delimiter)) : columns_of(header);
-    if (has_units) next = units + 1;
+    if (has_units) next = first_row_below(source, units + 1, file.delimiter);
     if (!format.columns.empty()) {
         if (format.columns.size() != columns.names.size())
             throw InputError(

@@ -1,0 +1,73 @@
+#include "data/recordings/point_texts.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+#include "data/files/folded_name.h"
+#include "data/quantities/number.h"
+
+namespace pendular {
+namespace {
+
+/// Texts of a column; empty if a cell has none, or a number.
+std::vector<std::string> texts_in(const Table& table, std::size_t column) {
+    std::vector<std::string> texts;
+    for (const Row& row : table.rows) {
+        const std::string& text = row.cells[column].text;
+        if (text.empty() || parse_number(text)) return {};
+        texts.push_back(text);
+    }
+    return texts;
+}
+
+bool names_preshear(std::string_view text) {
+    constexpr std::array<std::string_view, 8> begins = {"preshear", "anscher",  "vorscher",
+                                                        "precisai", "precizal", "pretagl",
+                                                        "consolid", "konsolid"};
+    const std::string word = folded_name(text);
+    return std::ranges::any_of(begins,
+                               [&](std::string_view each) { return word.starts_with(each); });
+}
+
+bool names_tests(std::string_view name) {
+    constexpr std::array names = {
+        "material", "wall material", "wall",      "sample",  "sample name",  "specimen",
+        "powder",   "test",          "run",       "series",  "wandmaterial", "wand",
+        "probe",    "probenname",    "pulver",    "versuch", "échantillon",  "matériau",
+        "paroi",    "poudre",        "essai",     "muestra", "pared",        "polvo",
+        "ensayo",   "campione",      "materiale", "parete",  "polvere",      "prova"};
+    const std::string wanted = folded_name(name);
+    return std::ranges::any_of(names,
+                               [&](std::string_view each) { return folded_name(each) == wanted; });
+}
+
+bool tells_tests_apart(const std::vector<std::string>& texts) {
+    std::map<std::string, int> rows;
+    for (const std::string& text : texts)
+        ++rows[text];
+    return rows.size() > 1 &&
+           std::ranges::all_of(rows, [](const auto& each) { return each.second >= 2; });
+}
+
+}  // namespace
+
+PointTexts texts_of_points(const Block& block) {
+    PointTexts found;
+    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+        if (!block.columns[i].quantity.empty()) continue;
+        const std::vector<std::string> texts = texts_in(block.table, i);
+        if (texts.empty()) continue;
+        const auto preshears = std::ranges::count_if(texts, names_preshear);
+        if (preshears > 0 && preshears < std::ssize(texts) && found.preshears.empty())
+            for (const std::string& text : texts)
+                found.preshears.push_back(names_preshear(text));
+        else if (found.tests.empty() && names_tests(block.columns[i].name) &&
+                 tells_tests_apart(texts))
+            found.tests = texts;
+    }
+    return found;
+}
+
+}  // namespace pendular
