@@ -36,6 +36,11 @@ std::string sentence(const Check& check) {
     }
 }
 
+/// Whether a check rests on the order in which files were measured, which no file states.
+bool depends_on_order(const Check* check) {
+    return check->covariate == "time" || check->covariate == "run order";
+}
+
 }  // namespace
 
 std::string p_text(double p, const char* equals) {
@@ -60,6 +65,12 @@ std::vector<std::string> checks_table(const Checks& checks) {
             lines.push_back("  " + sentence(*check));
         }
     }
+    const std::vector<const Check*> significant = significant_checks(checks);
+    if (std::ranges::any_of(significant, depends_on_order))
+        lines.emplace_back(
+            "  Between files, the order in time is that of the entries in study.toml and, within a "
+            "pattern, of their names; if they were measured in another order, write an entry for "
+            "each, in that order.");
     lines.insert(
         lines.begin(),
         lines.empty() ? fmt::format("None of the {} checks of the residuals is significant "

@@ -35,7 +35,7 @@ constexpr std::array value_words = {
     ValueWords{"solid_fraction", "too low for grains in contact in steady shear",
                "the densest packing of equal spheres",
                "the zero and the unit of the gap height, the total bead mass and the density",
-               "total bead mass", "gap"},
+               "total bead mass", "gap or density"},
     ValueWords{"stress_ratio", "half of the stress ratio of frictionless grains",
                "more than dry grains of any shape have",
                "the torque, the normal force, their units and the radii of the cell", "torque",
