@@ -138,8 +138,7 @@ void ImportFileOptions::declare(Options& options) {
     options.begin_section("Options for a single file");
     options.add(
         "study", &study,
-        "folder for a new study with this file, several files or all files of a folder; those "
-        "without steady shear or points of failure are left out and named; guessed values in its "
+        "folder for a new study with these files, or with all of a folder; guessed values in its "
         "study.toml are marked GUESS",
         a_folder());
     options.add("figures", &figures,

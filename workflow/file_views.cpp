@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <ranges>
 
 #include "data/files/formats/sheets.h"
 #include "data/input_error.h"
@@ -111,10 +112,13 @@ SheetViews views_to_begin_with(const std::vector<std::filesystem::path>& paths,
             result.not_read.push_back(fmt::format("A file is not read: {}.", error.what()));
         }
     }
+    constexpr std::size_t most = 3;  // reasons: more are alike, as a rule
     if (result.views.empty())
-        throw InputError({paths.empty() ? "" : paths.front().parent_path().string()},
-                         paths.empty() ? "no file is given to begin a study with"
-                                       : "no file can begin a study. " + result.not_read.front());
+        throw InputError(
+            {paths.empty() ? "" : paths.front().parent_path().string()},
+            paths.empty() ? "no file is given to begin a study with"
+                          : fmt::format("no file can begin a study. {}",
+                                        fmt::join(result.not_read | std::views::take(most), " ")));
     return result;
 }
 

@@ -112,23 +112,34 @@ std::string rows_in_polish(const std::string& unit_of_speed) {
         "obrotowa\tOdcinek\n[s]\t[mN·m]\t[N]\t[mm]\t[{}]\t[-]\n",
         unit_of_speed);
     for (int i = 0; i < 120; ++i)
-        text += fmt::format("{},0\t2{},1\t5,0\t17,{}\t{},00\t{}\n", i, i % 7, i % 5,
+        text += fmt::format("{},0\t20,{}\t5,0\t17,{}\t{},00\t{}\n", i, i * i % 7, i % 5,
                             i < 60 ? 60 : 180, i < 60 ? 1 : 2);
     return text;
 }
 
-/// The note on what is missing comes first, with the line to write; the next command is complete.
+/// What is missing is told with the line to write, and the next command is complete.
 TEST(ImportFile, NamesAColumnInAnUnknownUnitAndKeepsTheOptions) {
     const TemporaryFolder folder;
-    const auto file = folder.write("a.txt", rows_in_polish("xq/min"));
-    const Outcome refused = run_pendular("import " + file.string());
-    EXPECT_EQ(refused.code, 2);
+    const std::string rows = rows_in_polish("xq/min");
+    const auto named = folder.write("a.txt", rows);
     const std::string line = "columns = { rotational_speed = \"Prędkość obrotowa [1/min]\" }";
-    EXPECT_THAT(refused.output, AllOf(HasSubstr("'xq/min' is not a unit"), HasSubstr(line)));
+    EXPECT_THAT(run_pendular("import " + named.string()).errors,
+                AllOf(HasSubstr("'xq/min' is not a unit"), HasSubstr(line)));
     const std::string options = " --decimal , --columns '" + line.substr(line.find('{')) + "'";
-    const Outcome read = run_pendular("import " + file.string() + options);
+    const Outcome read = run_pendular("import " + named.string() + options);
     EXPECT_EQ(read.code, 0) << read.errors;
-    EXPECT_THAT(read.output, HasSubstr("import " + file.string() + options + " --study my-study"));
+    EXPECT_THAT(read.output, HasSubstr("import " + named.string() + options + " --study my-study"));
+    // Of an unknown name and beside columns that are read by their units.
+    std::string other = rows;
+    for (const auto& [from, to] :
+         {std::pair("Prędkość obrotowa", "Silnik"), std::pair("Szczelina", "Dno"),
+          std::pair("Czas", "Zegar"), std::pair("Siła normalna", "Czujnik")})
+        other.replace(other.find(from), std::string_view(from).size(), to);
+    const Outcome missing = run_pendular("import " + folder.write("b.txt", other).string());
+    EXPECT_EQ(missing.code, 2);
+    EXPECT_THAT(missing.output,
+                AllOf(HasSubstr("'xq/min' is not a unit"),
+                      HasSubstr("columns = { rotational_speed = \"Silnik [1/min]\" }")));
 }
 
 /// All files of a folder begin a study, but for those that are no measurements, which are named.

@@ -303,7 +303,7 @@ TEST_F(TableOfPeople, MayNumberIntervalsInAColumnOfAnyName) {
     std::string text =
         "Time [s],Torque [mNm],Normal force [N],Gap [mm],Speed [rpm],Xyz,Code,Half\n";
     for (int i = 0; i < 120; ++i)
-        text += fmt::format("{},1{},12,6.2,{},{},{},{}\n", i, i % 7, i < 60 ? 60 : 180,
+        text += fmt::format("{},14.{},12,6.2,{},{},{},{}\n", i, i * i % 7, i < 60 ? 60 : 180,
                             i < 61 ? 4 : 7, i < 30 ? 1 : 2, i < 60 ? 0.5 : 1);
     const FileView view = view_of_file(folder_.write("t.csv", text));
     ASSERT_THAT(view.candidates, SizeIs(1));
