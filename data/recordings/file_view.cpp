@@ -54,7 +54,7 @@ bool holds_numbers(const Block& block, std::size_t column) {
     });
 }
 
-/// What a column whose unit is unknown may be, of the missing quantities: a rate the speed, another
+/// Missing quantity that a column whose unit is unknown may be: a rate the speed, another
 /// unit the first of the others.
 std::string_view possible_quantity(const std::string& unit, const FileView& view) {
     const auto is_missing = [&](const Needed& needed) {

@@ -117,7 +117,7 @@ std::string rows_in_polish(const std::string& unit_of_speed) {
     return text;
 }
 
-/// What is missing is told with the line to write, and the next command is complete.
+/// A missing quantity is told with the line to write, and the next command is complete.
 TEST(ImportFile, NamesAColumnInAnUnknownUnitAndKeepsTheOptions) {
     const TemporaryFolder folder;
     const std::string rows = rows_in_polish("xq/min");
