@@ -140,6 +140,10 @@ TEST(ImportFile, NamesAColumnInAnUnknownUnitAndKeepsTheOptions) {
     EXPECT_THAT(missing.output,
                 AllOf(HasSubstr("'xq/min' is not a unit"),
                       HasSubstr("columns = { rotational_speed = \"Silnik [1/min]\" }")));
+    const Outcome no_study = run_pendular("import " + (folder.path() / "b.txt").string() +
+                                          " --study " + (folder.path() / "study").string());
+    EXPECT_THAT(no_study.errors,
+                HasSubstr("write columns = { rotational_speed = \"Silnik [1/min]\" }"));
 }
 
 /// All files of a folder begin a study, but for those that are no measurements, which are named.
