@@ -37,9 +37,13 @@ std::string sentence(const Check& check) {
 }
 
 /// Whether a check rests on the order in which files were measured, which no file states.
-bool depends_on_order(const Check* check) {
-    return check->covariate == "time" || check->covariate == "run order";
+bool depends_on_order(const Check& check) {
+    return check.covariate == "time" || check.covariate == "run order";
 }
+
+constexpr const char* order_of_files =
+    " Between files, the order is that of the entries in study.toml and, within a pattern, of the "
+    "names: to state another, write an entry for each file, in the order of measurement.";
 
 }  // namespace
 
@@ -59,18 +63,15 @@ std::vector<const Check*> significant_checks(const Checks& checks) {
 std::vector<std::string> checks_table(const Checks& checks) {
     std::vector<std::string> lines;
     bool correlated = false;  // one sentence serves all correlation lengths
+    bool ordered = false;     // and one all checks along the time
     for (const Check* check : significant_checks(checks)) {
         const bool correlation = check->kind == Check::Kind::neighbours;
         if (!correlation || !std::exchange(correlated, true)) {
             lines.push_back("  " + sentence(*check));
+            if (depends_on_order(*check) && !std::exchange(ordered, true))
+                lines.back() += order_of_files;
         }
     }
-    const std::vector<const Check*> significant = significant_checks(checks);
-    if (std::ranges::any_of(significant, depends_on_order))
-        lines.emplace_back(
-            "  Between files, the order in time is that of the entries in study.toml and, within a "
-            "pattern, of their names; if they were measured in another order, write an entry for "
-            "each, in that order.");
     lines.insert(
         lines.begin(),
         lines.empty() ? fmt::format("None of the {} checks of the residuals is significant "
