@@ -73,7 +73,7 @@ int import(const std::vector<std::string>& arguments) {
     Console console(*common);
     const bool begins = !file.study.empty() && is_folder_of_files(common->study);
     if (begins || is_bare_file(common->study)) return import_file(common->study, file, console);
-    file.refuse_for_studies(options);
+    if (!is_folder_of_files(common->study)) file.refuse_for_studies(options);
     if (!file.more.empty())
         throw InputError(fmt::format("unexpected argument \"{}\": a study is imported alone",
                                      file.more.front()));

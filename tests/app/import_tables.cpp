@@ -155,7 +155,7 @@ TEST(BegunStudy, TakesAllFilesOfAFolder) {
     for (const char* const name : {"files/suche_1.txt", "files/suche_10.txt", "files/suche_2.txt"})
         folder.write(name, rows_in_polish("obr/min"));
     folder.write("files/CZYTAJ.txt", "Kulki szklane.\n");
-    EXPECT_THAT(run_pendular("import " + files.string()).errors,
+    EXPECT_THAT(run_pendular("import " + files.string() + " --decimal ,").errors,
                 HasSubstr("pendular import FILE_OR_FOLDER --study NEW_FOLDER"));
     const Outcome run = run_pendular("import " + files.string() + " --study " + study.string());
     EXPECT_EQ(run.code, 0) << run.errors;
