@@ -6,12 +6,10 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <stdexcept>
 
 #include "data/files/column_names.h"
 #include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
-#include "data/quantities/units.h"
 
 namespace pendular {
 namespace {
