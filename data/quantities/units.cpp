@@ -105,9 +105,9 @@ const std::map<std::string, std::string, std::less<>> words = {
 /// Words for a revolution in Polish, Czech, Dutch, Swedish, Danish, Norwegian, Portuguese,
 /// Romanian, Turkish, Hungarian and Finnish, of which none is another unit, and for a minute.
 /// Turkish "d/dak" is left out, since d is a day.
-constexpr std::array<std::string_view, 16> revolutions = {
-    "obr", "obroty", "ot",  "omw",   "varv", "omdr",     "omdrejninger", "o",
-    "rot", "voltas", "dev", "devir", "ford", "fordulat", "kierr",        "kierrosta"};
+constexpr std::array<std::string_view, 15> revolutions = {
+    "obr",    "obroty", "ot",    "omw",  "varv",     "omdr",  "omdrejninger", "rot",
+    "voltas", "dev",    "devir", "ford", "fordulat", "kierr", "kierrosta"};
 constexpr std::array<std::string_view, 4> minutes = {"dak", "dk", "dakika", "perc"};
 
 /// Spellings in the wrong case that UDUNITS reads as another unit, with the unit that is meant.
@@ -160,6 +160,7 @@ std::string normalised(std::string_view spelling) {
     for (const auto& [from, to] : characters)
         replace_all(text, from, to);
     if (text.empty() || text == "-") return "1";
+    if (text == "o/min") return "turn/min";  // Danish, Norwegian; an o alone may be a degree
     std::string result;
     for (std::size_t i = 0; i < text.size();) {
         std::size_t end = i;

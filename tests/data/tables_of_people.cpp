@@ -68,6 +68,8 @@ TEST(UnitsInOtherLanguages, AreWhatTheyMean) {
           "omdr./min", "o/min",  "rot/min",   "devir/dak",   "dev./dk", "ford/perc",
           "kierr/min", "об/мин", "об./мин."})
         EXPECT_THAT(Unit(unit).to_si(60), DoubleNear(turn, 1e-12)) << unit;
+    for (const char* const degree : {"o/s", "o"})  // as some write "°"
+        EXPECT_THROW(Unit{degree}, std::invalid_argument);
     EXPECT_THAT(Unit("kp").to_si(1), DoubleEq(9.80665));
     EXPECT_THAT(Unit("ozf").to_si(16), DoubleEq(4.4482216152605));
 }
