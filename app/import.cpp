@@ -58,6 +58,7 @@ int import(const std::vector<std::string>& arguments) {
         "  pendular import examples/dry-recordings\n"
         "  pendular import my-study --json -\n"
         "  pendular import export.csv --study my-study\n"
+        "  pendular import exports/ --study my-study\n"
         "  pendular import export.csv --figures figures\n"
         "  pendular import 3kPa.csv 6kPa.csv --loci strengths.csv\n",
         true);
@@ -70,8 +71,9 @@ int import(const std::vector<std::string>& arguments) {
         return done;
     }
     Console console(*common);
-    if (is_bare_file(common->study)) return import_file(common->study, file, console);
-    file.refuse_for_studies(options);
+    const bool begins = !file.study.empty() && is_folder_of_files(common->study);
+    if (begins || is_bare_file(common->study)) return import_file(common->study, file, console);
+    if (!is_folder_of_files(common->study)) file.refuse_for_studies(options);
     if (!file.more.empty())
         throw InputError(fmt::format("unexpected argument \"{}\": a study is imported alone",
                                      file.more.front()));

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "app/command.h"
+#include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/text_pattern.h"
 #include "data/files/write_whole.h"
@@ -18,6 +19,7 @@
 #include "data/quantities/quantity.h"
 #include "data/recordings/file_view.h"
 #include "data/recordings/locus_table.h"
+#include "data/remarks/wording.h"
 #include "data/study/study.h"
 #include "reports/file_report.h"
 #include "reports/locus_figures.h"
@@ -136,8 +138,8 @@ void ImportFileOptions::declare(Options& options) {
     options.begin_section("Options for a single file");
     options.add(
         "study", &study,
-        "folder for a new study with this file; guessed values in its study.toml are marked "
-        "GUESS",
+        "folder for a new study with these files, or with all of a folder; guessed values in its "
+        "study.toml are marked GUESS",
         a_folder());
     options.add("figures", &figures,
                 "folder for figures: the recording with the rows that are averaged, and yield "
@@ -176,6 +178,12 @@ void ImportFileOptions::refuse_for_studies(const Options& options) const {
                             name));
 }
 
+bool is_folder_of_files(const std::filesystem::path& path) {
+    std::error_code error;  // set where the path cannot be looked at, which reading it tells of
+    return std::filesystem::is_directory(path, error) &&
+           !std::filesystem::exists(path / "study.toml", error);
+}
+
 bool is_bare_file(const std::filesystem::path& path) {
     std::error_code error;  // set for a link to itself, which reading the study tells of
     return std::filesystem::is_regular_file(path, error) && path.extension() != ".toml";
@@ -191,11 +199,24 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
            std::filesystem::weakly_canonical(b, error);
 }
 
-/// Files that the user named.
+/// Files of a folder, in the order of their names.
+/// @throws InputError if it has none
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> paths = matching_files(folder, "*");
+    std::erase_if(paths, [](const std::filesystem::path& each) {
+        return !is_bare_file(each) || each.filename().string().starts_with('.');
+    });
+    if (paths.empty())
+        throw InputError({folder.string()}, "has no file of measurements to begin a study with");
+    return paths;
+}
+
+/// Files that the user named, or all of a folder.
 /// @throws InputError for an argument that is none, and for a file that is named twice
 std::vector<std::filesystem::path> all_files(const std::filesystem::path& first,
                                              const std::vector<std::string>& more) {
     std::vector<std::filesystem::path> paths = {first};
+    if (!is_bare_file(first)) paths = files_in(first);
     for (const std::string& path : more) {
         if (!is_bare_file(path))
             throw InputError({path},
@@ -228,6 +249,19 @@ void check_tables(const ImportFileOptions& options,
     demand_table(options.loci, locus_table_begin);
 }
 
+/// Options, as the user gave them, on how files are to be read.
+std::string reading_options(const ImportFileOptions& options) {
+    std::string text;
+    for (const auto& [name, value] :
+         {std::pair("layout", options.layout), std::pair("encoding", options.encoding),
+          std::pair("sheet", options.sheet), std::pair("decimal", options.decimal),
+          std::pair("columns", options.columns)})
+        if (!value.empty()) text += fmt::format(" --{} {}", name, shell_word(value));
+    if (options.prorate) text += " --prorate";
+    if (options.wall) text += " --wall";
+    return text;
+}
+
 /// The command to give next; empty for none.
 std::string next_command(const std::vector<std::filesystem::path>& paths,
                          const std::vector<FileView>& views, const ImportFileOptions& options,
@@ -241,15 +275,29 @@ std::string next_command(const std::vector<std::filesystem::path>& paths,
     std::string command = "pendular import";
     for (const std::filesystem::path& path : paths)
         command += " " + shell_word(path);
-    return command + " --study my-study";
+    return command + reading_options(options) + " --study my-study";
+}
+
+/// Prints one line for each file or sheet, and its faults.
+void print_in_short(const std::vector<FileView>& views, Console& console) {
+    for (const FileView& view : views) {
+        console.line(file_sentence(view));
+        for (const Remark& finding : view.findings)
+            console.line("  " + with_lines(finding));
+    }
+    console.note("Columns and intervals of each file: option --all, or pendular import FILE.");
 }
 
 /// Prints what the files hold. Returns whether anything of it is used.
 bool print_views(const SheetViews& read, Console& console) {
+    constexpr std::size_t most = 4;  // with about 15 lines each; chosen
     const std::string unused = unused_sentence(read.views);
     if (!unused.empty()) console.answer(unused);
-    for (const FileView& view : read.views)
-        console.print(file_output(view, console.all(), unused.empty()));
+    if (unused.empty() && !console.all() && read.views.size() > most)
+        print_in_short(read.views, console);
+    else
+        for (const FileView& view : read.views)
+            console.print(file_output(view, console.all(), unused.empty()));
     if (const auto flow = flow_function_table(read.views); !flow.empty()) {
         console.line(flow.front());
         console.table({flow.begin() + 1, flow.end()}, 10);
@@ -265,7 +313,9 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
                 Console& console) {
     const FileFormat format = format_of(options);
     const auto paths = all_files(path, options.more);
-    const SheetViews read = views_of_files(paths, format);
+    // Of several files, such as all of a folder, some may be notes: a study begins with the others.
+    const SheetViews read =
+        options.study.empty() ? views_of_files(paths, format) : views_to_begin_with(paths, format);
     const std::vector<FileView>& views = read.views;
     check_tables(options, paths);
     std::size_t guesses = 0;

@@ -37,9 +37,13 @@ struct ImportFileOptions {
 /// extension is not .toml.
 bool is_bare_file(const std::filesystem::path& path);
 
-/// Runs `pendular import FILE...` and returns the exit code, that of wrong input if nothing of the
-/// files is used. Prints the layout, the columns, the
-/// intervals and the faults of the file, and makes the new study that the user requested.
+/// Whether a path names a folder that is no study: one without study.toml.
+bool is_folder_of_files(const std::filesystem::path& path);
+
+/// Runs `pendular import FILE...`, or with all files of a folder where `path` is one, and returns
+/// the exit code, that of wrong input if nothing of the files is used. Prints the layout, the
+/// columns, the intervals and the faults of each file, and makes the new study that the user
+/// requested, for which those of several files that cannot begin one are left out.
 /// @throws InputError if the file cannot be read, if --layout or --decimal has an unknown value, if
 ///         the folder for the new study already contains a file of the new study, or if the file of
 ///         --tidy or --loci cannot be written or contains anything other than an earlier table

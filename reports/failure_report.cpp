@@ -36,6 +36,15 @@ std::string sentence(const Check& check) {
     }
 }
 
+/// Whether a check rests on the order in which files were measured, which no file states.
+bool depends_on_order(const Check& check) {
+    return check.covariate == "time" || check.covariate == "run order";
+}
+
+constexpr const char* order_of_files =
+    " Between files, the order is that of the entries in study.toml and, within a pattern, of the "
+    "names: to state another, write an entry for each file, in the order of measurement.";
+
 }  // namespace
 
 std::string p_text(double p, const char* equals) {
@@ -54,10 +63,13 @@ std::vector<const Check*> significant_checks(const Checks& checks) {
 std::vector<std::string> checks_table(const Checks& checks) {
     std::vector<std::string> lines;
     bool correlated = false;  // one sentence serves all correlation lengths
+    bool ordered = false;     // and one all checks along the time
     for (const Check* check : significant_checks(checks)) {
         const bool correlation = check->kind == Check::Kind::neighbours;
         if (!correlation || !std::exchange(correlated, true)) {
             lines.push_back("  " + sentence(*check));
+            if (depends_on_order(*check) && !std::exchange(ordered, true))
+                lines.back() += order_of_files;
         }
     }
     lines.insert(

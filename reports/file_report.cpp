@@ -14,6 +14,7 @@
 
 #include "data/files/column_names.h"
 #include "data/files/formats/named_columns.h"
+#include "data/files/header_cell.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
@@ -239,10 +240,18 @@ std::string missing_sentence(const FileView& view) {
         text += " Export these columns too.";
     constexpr std::size_t most = 4;  // of many columns in pascals, none is more likely than another
     for (const BlockColumn& column : view.candidates | std::views::take(most)) {
+        if (column.quantity == "interval") continue;  // not missing
         if (!unit_fits(column.unit, column.quantity)) {
             text += fmt::format(" Column '{} [{}]' is not used: {}", column.name, column.unit,
                                 why_not(column));
             if (!text.ends_with('?')) text += '.';
+            // A unit that is no unit may be one in another language.
+            if (!is_unit(column.unit))
+                text += fmt::format(
+                    " If it is the {}, state it with its unit, in [[recording]], or for one file "
+                    "by --columns: {}.",
+                    quantity(column.quantity).meaning,
+                    line_to_name(column.quantity, column.name, usual_unit(column.quantity)));
             continue;
         }
         // Units of the other layouts stand in a row of their own.
@@ -394,13 +403,20 @@ Output file_output(const FileView& view, bool all, bool is_answer) {
     output.table(checks_lines(view, all), 10);
     output.lines(yield_locus_lines(view));
     output.lines(wall_locus_lines(view));
+    if (const std::string missing = missing_sentence(view); !missing.empty()) output.note(missing);
+    for (const BlockColumn& column : view.candidates)
+        if (column.quantity == "interval")
+            output.note(fmt::format(
+                "Column '{0}' changes exactly where the speed or the load does: if it numbers the "
+                "intervals, name it by --columns or in [[recording]], columns = {{ interval = "
+                "\"{0}\" }}",
+                column.name));
     for (const auto& [quantity_name, column] : view.by_unit)
         output.note(fmt::format(
             "Column '{}' is read as the {}, since no other has a unit of it; if it is something "
             "else, name the right one by --columns or in [[recording]], as in columns = {{ {} = "
             "\"{}\" }}",
             column, quantity(quantity_name).meaning, quantity_name, column));
-    if (const std::string missing = missing_sentence(view); !missing.empty()) output.note(missing);
     return output;
 }
 

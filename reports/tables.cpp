@@ -67,12 +67,15 @@ std::string excluded_text(const Measurements& measurements) {
         bool (*fit)(Remark::Kind kind);
         const char *one, *several;
     };
-    constexpr std::array<Words, 4> words = {
+    constexpr std::array<Words, 5> words = {
         {{beside_plateau, "transient", "transients"},
          {without_plateau, "step without a plateau", "steps without a plateau"},
          {on_reading, "reading", "readings"},
+         {[](Remark::Kind kind) { return kind == Remark::Kind::cut_short; },
+          "row that is cut short", "rows that are cut short"},
          {[](Remark::Kind kind) {
-              return !beside_plateau(kind) && !without_plateau(kind) && !on_reading(kind);
+              return !beside_plateau(kind) && !without_plateau(kind) && !on_reading(kind) &&
+                     kind != Remark::Kind::cut_short;
           },
           "other range of rows", "other ranges of rows"}}};
     std::string text;

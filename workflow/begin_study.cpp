@@ -73,14 +73,18 @@ std::optional<double> stated_percent(const std::string& texts) {
     return parse_number(number);
 }
 
-/// Whether a word in small letters says in one of the five languages that grains are wet. Words for
+/// Whether a word in small letters says that grains are wet, in one of the five languages, Polish,
+/// Czech, Dutch, Swedish, Danish, Portuguese, Turkish, Hungarian or Finnish. Words for
 /// humidity are left out, which may be that of the air.
 bool says_wet(std::string_view word) {
-    constexpr std::array begins = {"wet",    "moist",   "nass",    "naß",   "feucht",
-                                   "wasser", "mouillé", "mouille", "mojad", "bagnat"};
-    constexpr std::array whole = {"water",  "eau",    "agua",   "acqua",  "humide", "humides",
-                                  "húmedo", "húmeda", "humedo", "humeda", "umido",  "umida",
-                                  "umidi",  "umide",  "oil",    "öl",     "oel"};
+    constexpr std::array begins = {"wet",     "moist",   "nass",    "naß",    "feucht", "wasser",
+                                   "mouillé", "mouille", "mojad",   "bagnat", "mokr",   "wilgotn",
+                                   "vlhk",    "våt",     "våd",     "molhad", "ıslak",  "islak",
+                                   "nedves",  "märk",    "vochtig", "fugtig", "fuktig"};
+    constexpr std::array whole = {
+        "water",  "eau",   "agua",  "acqua",  "humide", "humides", "húmedo", "húmeda", "humedo",
+        "humeda", "umido", "umida", "umidi",  "umide",  "oil",     "öl",     "oel",    "nat",
+        "natte",  "woda",  "voda",  "vatten", "vand",   "víz",     "vizes",  "vesi",   "água"};
     return std::ranges::any_of(begins,
                                [&](std::string_view each) { return word.starts_with(each); }) ||
            std::ranges::find(whole, word) != whole.end();
@@ -404,6 +408,11 @@ std::string grains_text(const std::string& name, const std::string& texts, bool 
     if (wet)
         text += "[liquid]\n" + entry("surface_tension", {"72.8 mN/m", "GUESS: water"}) +
                 entry("contact_angle", {"0 deg", "GUESS: the liquid wets the beads"}) + "\n";
+    else
+        text +=
+            "# [liquid]                       # for wet grains; each [[recording]] then needs\n"
+            "# surface_tension = \"72.8 mN/m\"  # liquid_content = 0.01, volume of liquid over\n"
+            "# contact_angle = \"0 deg\"        # volume of grains, and 0 where they are dry\n\n";
     return text;
 }
 

@@ -6,9 +6,14 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <ranges>
 
+#include "data/files/column_names.h"
+#include "data/files/formats/named_columns.h"
 #include "data/files/formats/sheets.h"
+#include "data/files/header_cell.h"
 #include "data/input_error.h"
+#include "data/quantities/quantity.h"
 #include "data/remarks/wording.h"
 #include "workflow/study_input.h"
 
@@ -22,6 +27,20 @@ void add_bulk_densities(FileView& view, const AnnularCell& cell, double grain_de
             cell.bead_volume > 0)
             locus.preshear->bulk_density =
                 grain_density * solid_fraction(*locus.preshear->height, cell);
+}
+
+/// Columns that may be what a file lacks, each with the line to write, as the end of a sentence.
+std::string columns_to_name(const FileView& view) {
+    std::string text;
+    for (const BlockColumn& column : view.candidates) {
+        if (column.quantity == "interval") continue;  // not missing
+        const bool fits = is_unit(column.unit) && unit_fits(column.unit, column.quantity);
+        text += fmt::format("; if '{} [{}]' is the {}, write {}", column.name, column.unit,
+                            quantity(column.quantity).meaning,
+                            line_to_name(column.quantity, column.name,
+                                         fits ? column.unit : usual_unit(column.quantity)));
+    }
+    return text;
 }
 
 }  // namespace
@@ -46,9 +65,10 @@ void refuse_to_begin(const FileView& view) {
     throw InputError(
         {view.file.file},
         fmt::format("shows neither steady shear nor points of failure, so that no study can "
-                    "begin with it; it has no {}",
+                    "begin with it; it has no {}{}",
                     view.missing.empty() ? "interval of either"
-                                         : fmt::format("{}", fmt::join(view.missing, ", "))));
+                                         : fmt::format("{}", fmt::join(view.missing, ", ")),
+                    columns_to_name(view)));
 }
 
 SheetViews views_of_file(const std::filesystem::path& path, const FileFormat& format) {
@@ -111,10 +131,13 @@ SheetViews views_to_begin_with(const std::vector<std::filesystem::path>& paths,
             result.not_read.push_back(fmt::format("A file is not read: {}.", error.what()));
         }
     }
+    constexpr std::size_t most = 3;  // reasons: more are alike, as a rule
     if (result.views.empty())
-        throw InputError({paths.empty() ? "" : paths.front().parent_path().string()},
-                         paths.empty() ? "no file is given to begin a study with"
-                                       : "no file can begin a study. " + result.not_read.front());
+        throw InputError(
+            {paths.empty() ? "" : paths.front().parent_path().string()},
+            paths.empty() ? "no file is given to begin a study with"
+                          : fmt::format("no file can begin a study. {}",
+                                        fmt::join(result.not_read | std::views::take(most), " ")));
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "data/files/folded_name.h"
+#include "data/files/further_names.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
@@ -255,6 +256,11 @@ ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
                         ColumnMeaning{each.quantity,
                                       static_cast<int>(i) + (names == &each.shared ? 50 : 0),
                                       names == &each.shared});
+        constexpr int after_the_five = 50;  // a name in another language beside one of these
+        for (const auto& [quantity, names] : further_names())
+            for (std::size_t i = 0; i < names.size(); ++i)
+                all.emplace(compared(names[i]),
+                            ColumnMeaning{quantity, static_cast<int>(i) + after_the_five, false});
         return all;
     }();
     for (auto [each, end] = by_name.equal_range(wanted); each != end; ++each)

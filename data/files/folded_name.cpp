@@ -38,6 +38,25 @@ void append_utf8(std::string& text, UChar32 c) {
     text.append(bytes.data(), static_cast<std::size_t>(size));
 }
 
+/// Letters without an accent that are written so where a keyboard lacks a letter that has no
+/// decomposition; empty for all others.
+std::string_view in_latin(UChar32 small) {
+    switch (small) {
+        case 0xDF:  // ß
+            return "ss";
+        case 0xE6:  // æ
+            return "a";
+        case 0xF8:  // ø
+            return "o";
+        case 0x131:  // ı
+            return "i";
+        case 0x142:  // ł
+            return "l";
+        default:
+            return "";
+    }
+}
+
 /// Text with the German ways to write ä, ö and ü without dots as these letters without dots.
 std::string without_dots(std::string text) {
     for (const char vowel : {'a', 'o', 'u'}) {
@@ -62,10 +81,11 @@ std::string folded_name(std::string_view name) {
         after_latin = c < 0x80 && std::isalpha(static_cast<int>(c));
         if (u_charType(c) == U_FORMAT_CHAR) continue;  // without width
         if (u_isUWhiteSpace(c) || c == '_' || c == '-' || c == '.') continue;
-        if (c == 0xDF)  // ß
-            result += "ss";
+        const UChar32 small = u_foldCase(c, U_FOLD_CASE_DEFAULT);
+        if (const std::string_view latin = in_latin(small); !latin.empty())
+            result += latin;
         else
-            append_utf8(result, u_foldCase(c, U_FOLD_CASE_DEFAULT));
+            append_utf8(result, small);
     }
     return without_dots(std::move(result));
 }

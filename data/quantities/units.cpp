@@ -4,6 +4,7 @@
 #include <udunits2.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -70,7 +71,14 @@ constexpr std::pair<std::string_view, std::string_view> characters[] = {
     {"sek.", "s"},
     {"seg.", "s"},
     {"Min.", "min"},
-    {"tr/mn", "turn/min"}};
+    {"tr/mn", "turn/min"},
+    // Words beyond ASCII, which `normalised` does not find: Russian, Ukrainian and Czech.
+    {"об.", "turn"},
+    {"об", "turn"},
+    {"мин", "min"},
+    {"хв", "min"},
+    {"otáčky", "turn"},
+    {"otáček", "turn"}};
 
 /// Spellings of units that UDUNITS does not know or misreads, with the spelling that UDUNITS reads.
 const std::map<std::string, std::string, std::less<>> words = {
@@ -93,6 +101,14 @@ const std::map<std::string, std::string, std::less<>> words = {
     {"seg", "s"},          {"Min", "min"},
     {"psf", "(lbf/ft^2)"}, {"giro", "turn"},
     {"Grad", "arc_degree"}};  // not a gigaradian
+
+/// Words for a revolution in Polish, Czech, Dutch, Swedish, Danish, Norwegian, Portuguese,
+/// Romanian, Turkish, Hungarian and Finnish, of which none is another unit, and for a minute.
+/// Turkish "d/dak" is left out, since d is a day.
+constexpr std::array<std::string_view, 15> revolutions = {
+    "obr",    "obroty", "ot",    "omw",  "varv",     "omdr",  "omdrejninger", "rot",
+    "voltas", "dev",    "devir", "ford", "fordulat", "kierr", "kierrosta"};
+constexpr std::array<std::string_view, 4> minutes = {"dak", "dk", "dakika", "perc"};
 
 /// Spellings in the wrong case that UDUNITS reads as another unit, with the unit that is meant.
 const std::map<std::string, std::string, std::less<>> case_traps = {
@@ -134,6 +150,8 @@ std::string normalised_word(const std::string& word, std::string_view spelling) 
                         "in meaning; write '{}'",
                         spelling, trap->second));
     if (const auto known = words.find(word); known != words.end()) return known->second;
+    if (std::ranges::find(revolutions, word) != revolutions.end()) return "turn";
+    if (std::ranges::find(minutes, word) != minutes.end()) return "min";
     return split_torque(word);
 }
 
@@ -142,6 +160,7 @@ std::string normalised(std::string_view spelling) {
     for (const auto& [from, to] : characters)
         replace_all(text, from, to);
     if (text.empty() || text == "-") return "1";
+    if (text == "o/min") return "turn/min";  // Danish, Norwegian; an o alone may be a degree
     std::string result;
     for (std::size_t i = 0; i < text.size();) {
         std::size_t end = i;
@@ -150,6 +169,9 @@ std::string normalised(std::string_view spelling) {
         if (end > i) {
             result += normalised_word(text.substr(i, end - i), spelling);
             i = end;
+            // The point of an abbreviation, "obr./min.": no product, since nothing follows.
+            if (i < text.size() && text[i] == '.' && (i + 1 == text.size() || text[i + 1] == '/'))
+                ++i;
         } else {
             result += text[i++];
         }

@@ -2,8 +2,10 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "data/files/formats/block_file.h"
+#include "data/recordings/interval_series.h"
 
 namespace pendular {
 
@@ -13,5 +15,12 @@ namespace pendular {
 /// lever's.
 /// @return as `FileFormat::named_columns`: text of the column, by quantity
 std::map<std::string, std::string> columns_by_unit(const BlockFile& file);
+
+/// Returns columns that may number the intervals although their name does not say so, with the
+/// quantity "interval": whole numbers without a unit that change where, and only where, the speed
+/// of the lid or the load on it does. Only for tables of someone's own that hold one interval.
+/// @param series in the order of the file's blocks
+std::vector<BlockColumn> columns_like_intervals(const BlockFile& file,
+                                                const std::vector<IntervalSeries>& series);
 
 }  // namespace pendular

@@ -158,6 +158,85 @@ void set_condition_apart(const ReplicateTable& table, const Values& values, Eige
     result.remarks.push_back(std::move(doubt));
 }
 
+/// Readings by file, to compare files that were measured alike but for the liquid.
+struct FilesOfContents {
+    const ReplicateTable& table;
+    const std::vector<Reading>& readings;
+
+    /// Liquid content of a file [1].
+    double content(std::size_t file) const {
+        const auto first = std::ranges::find(table.file_of, file) - table.file_of.begin();
+        return readings[static_cast<std::size_t>(first)].condition.liquid_content;
+    }
+    /// Mean of ln(stress ratio of a file over that of others) at conditions that are equal but for
+    /// the liquid content [1]; NaN without any. Others are all files of a content but `without`.
+    double distance(std::size_t file, double to_content, std::size_t without) const {
+        double sum = 0;
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < readings.size(); ++k) {
+            if (table.file_of[k] != file) continue;
+            for (std::size_t j = 0; j < readings.size(); ++j) {
+                const std::size_t other = table.file_of[j];
+                if (other == file || other == without || !alike(readings[k], readings[j]) ||
+                    readings[j].condition.liquid_content != to_content)
+                    continue;
+                sum += std::log(readings[k].stress_ratio() / readings[j].stress_ratio());
+                ++count;
+            }
+        }
+        return sum / static_cast<double>(count);
+    }
+
+    static bool alike(const Reading& a, const Reading& b) {
+        // As replicates (`are_replicates`); the gap of wet grains, by which I is divided, differs.
+        constexpr double same_stress = 0.02, same_speed = 0.1;
+        const auto near = [](double x, double y, double tolerance) {
+            return std::abs(x - y) <= tolerance * std::max(x, y);
+        };
+        return near(a.condition.normal_stress, b.condition.normal_stress, same_stress) &&
+               near(a.condition.inertial_number, b.condition.inertial_number, same_speed) &&
+               a.condition.at_failure == b.condition.at_failure;
+    }
+};
+
+/// Whether a file of dry grains lies where those of wet grains do, and one of these where those of
+/// dry grains do.
+bool are_exchanged(const FilesOfContents& files, std::size_t dry, std::size_t wet) {
+    constexpr double clearly = 3;  // chosen: nearer to the others by so much
+    const double content = files.content(wet);
+    const double dry_to_dry = files.distance(dry, 0, wet),
+                 wet_to_wet = files.distance(wet, content, dry),
+                 dry_to_wet = files.distance(dry, content, wet),
+                 wet_to_dry = files.distance(wet, 0, dry);
+    return dry_to_dry * wet_to_wet < 0 && std::abs(dry_to_dry) > clearly * std::abs(dry_to_wet) &&
+           std::abs(wet_to_wet) > clearly * std::abs(wet_to_dry);
+}
+
+/// Adds to remarks on files that differ in shear stress the pair of files, a dry and a wet one,
+/// whose liquid contents are probably exchanged.
+void name_exchanged(const FilesOfContents& files, std::vector<Remark>& remarks) {
+    const auto of_remark = [&](const Remark& remark, std::size_t file) {
+        return std::ranges::find(remark.names, files.table.name_of(file)) != remark.names.end();
+    };
+    constexpr std::size_t most = 60;  // files: the time grows with the square of their number
+    for (Remark& remark : remarks) {
+        if (remark.kind != Remark::Kind::far_files || remark.quantity != "shear_stress" ||
+            files.table.files.size() > most)
+            continue;
+        for (std::size_t dry = 0; dry < files.table.files.size(); ++dry)
+            for (std::size_t wet = 0; files.content(dry) == 0 && wet < files.table.files.size();
+                 ++wet) {
+                if (files.content(wet) == 0 || !remark.because.empty() ||
+                    !(of_remark(remark, dry) || of_remark(remark, wet)) ||
+                    !are_exchanged(files, dry, wet))
+                    continue;
+                Remark& pair = remark.because.emplace_back();
+                pair.kind = Remark::Kind::far_files;
+                pair.names = {files.table.name_of(dry), files.table.name_of(wet)};
+            }
+    }
+}
+
 }  // namespace
 
 FarReplicates set_far_replicates_apart(ReplicateTable& table,
@@ -168,6 +247,7 @@ FarReplicates set_far_replicates_apart(ReplicateTable& table,
         for (const Eigen::Index o : {0, 1})
             set_files_apart(table, place, o, readings, result);
     }
+    name_exchanged({table, readings}, result.remarks);
     for (ReplicateCluster& cluster : table.clusters) {
         for (const Eigen::Index o : {0, 1}) {
             Values& values = cluster.values[static_cast<std::size_t>(o)];

@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/header_cell.h"
+#include "data/quantities/number.h"
 #include "data/recordings/columns_by_unit.h"
 #include "data/recordings/point_texts.h"
 #include "data/recordings/test_kinds.h"
@@ -44,25 +47,57 @@ std::vector<std::string> missing_quantities(const std::vector<IntervalSeries>& s
     return missing;
 }
 
-/// Unused columns in the unit of a missing quantity, or with its name.
+/// Whether any row has a number in a column.
+bool holds_numbers(const Block& block, std::size_t column) {
+    return std::ranges::any_of(block.table.rows, [&](const Row& row) {
+        return parse_number(row.cells[column].text).has_value();
+    });
+}
+
+/// Missing quantity that a column whose unit is unknown may be: a rate the speed, another
+/// unit the first of the others.
+std::string_view possible_quantity(const std::string& unit, const FileView& view) {
+    const auto is_missing = [&](const Needed& needed) {
+        return std::ranges::find(view.missing, needed.name) != view.missing.end();
+    };
+    const Needed& speed = needed_quantities().back();
+    const bool rate = unit.find('/') != std::string::npos;
+    if (is_missing(speed) && (rate || view.missing.size() == 1)) return speed.quantities.front();
+    const auto first = std::ranges::find_if(needed_quantities(), is_missing);
+    return first == needed_quantities().end() ? "" : first->quantities.front();
+}
+
+/// Missing quantity of which a column has the unit or the name; empty for none.
+std::string_view missing_quantity(const BlockColumn& column, const FileView& view) {
+    const ColumnMeaning named = meaning_of_column(column.name, "");
+    for (const Needed& needed : needed_quantities()) {
+        if (std::ranges::find(view.missing, needed.name) == view.missing.end()) continue;
+        auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
+            return name != "lever_force" && unit_fits(column.unit, name);
+        });
+        if (fits == needed.quantities.end() && !named.shared)
+            fits = std::ranges::find(needed.quantities, named.quantity);
+        if (fits != needed.quantities.end()) return *fits;
+    }
+    // A force is one on a lever only where the normal force is known.
+    const bool no_torque =
+        std::ranges::find(view.missing, "torque or shear stress") != view.missing.end();
+    return no_torque && unit_fits(column.unit, "lever_force") ? "lever_force" : "";
+}
+
+/// Unused columns in the unit of a missing quantity, or with its name, or in an unknown unit.
 std::vector<BlockColumn> candidates(const FileView& view) {
     std::vector<BlockColumn> found;
     if (!is_own_table(view.file.layout)) return found;
-    for (const BlockColumn& column : view.file.blocks.front().columns) {
+    const Block& block = view.file.blocks.front();
+    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+        const BlockColumn& column = block.columns[i];
         if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty())
             continue;
-        for (const Needed& needed : needed_quantities()) {
-            if (std::ranges::find(view.missing, needed.name) == view.missing.end()) continue;
-            auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
-                return unit_fits(column.unit, name);
-            });
-            const ColumnMeaning named = meaning_of_column(column.name, "");
-            if (fits == needed.quantities.end() && !named.shared)
-                fits = std::ranges::find(needed.quantities, named.quantity);
-            if (fits == needed.quantities.end()) continue;
-            found.push_back({column.name, column.unit, std::string(*fits)});
-            break;
-        }
+        std::string_view quantity = missing_quantity(column, view);
+        if (quantity.empty() && !is_unit(column.unit) && holds_numbers(block, i))
+            quantity = possible_quantity(column.unit, view);
+        if (!quantity.empty()) found.push_back({column.name, column.unit, std::string(quantity)});
     }
     return found;
 }
@@ -188,11 +223,10 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
                       const std::optional<AnnularCell>& study_cell) {
     FileView view;
     view.file = read_blocks(path, format);
-    if (format.columns.empty() && format.named_columns.empty())
-        view.by_unit = columns_by_unit(view.file);
+    if (format.columns.empty()) view.by_unit = columns_by_unit(view.file);
     if (!view.by_unit.empty()) {
         FileFormat named = format;
-        named.named_columns = view.by_unit;
+        named.named_columns.insert(view.by_unit.begin(), view.by_unit.end());
         view.file = read_blocks(path, named);
     }
     refuse_unused_file(view.file);
@@ -213,6 +247,8 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     view.walls = wall_loci(view.file, view.series, view.roles);
     view.missing = missing_quantities(view.series);
     view.candidates = candidates(view);
+    std::ranges::copy(columns_like_intervals(view.file, view.series),
+                      std::back_inserter(view.candidates));
     return view;
 }
 

@@ -26,6 +26,7 @@ struct Loading {
     /// Whether a normal stress presses the sample, as in a test of grains: the shear stress is
     /// below three times the normal stress.
     bool pressed = false;
+    bool has_speed = false;         ///< whether the speed of the lid is known
     double normal = 0;              ///< median normal stress or force
     std::optional<double> angle;    ///< angle by which the lid turned [rad], if known
     std::optional<SpeedRamp> ramp;  ///< speeds between which the lid's speed changed, if it did
@@ -124,6 +125,7 @@ std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
         const bool stresses = !each.shear_stress.empty() && !each.normal_stress.empty();
         loading.pressed = loading.normal > 0 &&
                           (!stresses || largest_known(each.shear()) < most_ratio * loading.normal);
+        loading.has_speed = any_known(each.angular_velocity) || any_known(each.shear_velocity);
         loading.angle = angle_turned(each);
         loading.ramp = speed_ramp(each.angular_velocity);
         loading.load_ramp = load_ramp(each);
@@ -198,6 +200,7 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
                                        *own.angle)};
     if (own.load_ramp) return {"other", *own.load_ramp};
     if (own.unsteady) return {"other", *own.unsteady};
+    if (!own.has_speed) return {"steady", "sheared, at a speed that is not known"};
     return {"steady", "sheared" + (steps.empty() ? " at constant set points" : " in " + steps)};
 }
 

@@ -35,7 +35,7 @@ constexpr std::array value_words = {
     ValueWords{"solid_fraction", "too low for grains in contact in steady shear",
                "the densest packing of equal spheres",
                "the zero and the unit of the gap height, the total bead mass and the density",
-               "total bead mass", "gap"},
+               "total bead mass", "gap or density"},
     ValueWords{"stress_ratio", "half of the stress ratio of frictionless grains",
                "more than dry grains of any shape have",
                "the torque, the normal force, their units and the radii of the cell", "torque",
@@ -157,15 +157,25 @@ std::string speed_unit_text(const Remark& doubt) {
         names_of(doubt.names));
 }
 
+/// Sentence on the pair of files that may have each other's liquid content, after a blank; empty
+/// where there is none.
+std::string exchanged_text(const Remark& doubt) {
+    if (doubt.because.empty()) return "";
+    return fmt::format(
+        " {}, which study.toml states as dry, agrees with the wet files, and {}, stated as wet, "
+        "with the dry ones: check whether their liquid contents are exchanged.",
+        doubt.because.front().names[0], doubt.because.front().names[1]);
+}
+
 std::string far_files_text(const Remark& doubt) {
     const bool one = doubt.names.size() == 1;
     return fmt::format(
         "In {}, {} {} at all conditions, by {:.3g} %, while steps within a file agree; check the "
-        "units, the zeros and calibrations of the sensors, the total bead mass and the filling. "
+        "units, the zeros and calibrations of the sensors, the total bead mass and the filling.{} "
         "Until then, the fit takes larger errors for {}.",
         words_for_quantity(doubt.quantity), fmt::join(doubt.names, ", "),
         one ? "differs from its replicates" : "differ from one another", 100 * doubt.relative,
-        one ? "this file" : "these files");
+        exchanged_text(doubt), one ? "this file" : "these files");
 }
 
 std::string creeping_text(const Remark& doubt) {

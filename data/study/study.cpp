@@ -126,7 +126,8 @@ std::filesystem::path study_file(const std::filesystem::path& study) {
     if (!std::filesystem::exists(study / "study.toml", error))
         throw InputError({study.string()},
                          "has no study.toml; name a folder that has one, or begin a study from a "
-                         "file of measurements: pendular import FILE --study DIR");
+                         "file of measurements or all files of a folder: pendular import "
+                         "FILE_OR_FOLDER --study NEW_FOLDER");
     return study / "study.toml";
 }
 

@@ -369,7 +369,7 @@ std::string without_effect(const std::string& text, const std::string& file,
 
 std::string toml_string(const std::string& text) {
     std::ostringstream written;
-    written << toml::toml_formatter(toml::value(text), toml::format_flags::none);
+    written << toml::toml_formatter(toml::value(text), toml::format_flags::allow_unicode_strings);
     return written.str();
 }
 

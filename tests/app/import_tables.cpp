@@ -105,6 +105,88 @@ TEST(ImportFile, CallsForcesOnALeverSo) {
     EXPECT_THAT(run.output, AllOf(HasSubstr("largest lever force [N]"), Not(HasSubstr("[Pa]"))));
 }
 
+/// Rows of a home-built ring shear tester in Polish, with two speeds.
+std::string rows_in_polish(const std::string& unit_of_speed) {
+    std::string text = fmt::format(
+        "Reometr\nPróbka:\tkulki\n\nCzas\tMoment obrotowy\tSiła normalna\tSzczelina\tPrędkość "
+        "obrotowa\tOdcinek\n[s]\t[mN·m]\t[N]\t[mm]\t[{}]\t[-]\n",
+        unit_of_speed);
+    for (int i = 0; i < 120; ++i)
+        text += fmt::format("{},0\t20,{}\t5,0\t17,{}\t{},00\t{}\n", i, i * i % 7, i % 5,
+                            i < 60 ? 60 : 180, i < 60 ? 1 : 2);
+    return text;
+}
+
+/// A missing quantity is told with the line to write, and the next command is complete.
+TEST(ImportFile, NamesAColumnInAnUnknownUnitAndKeepsTheOptions) {
+    const TemporaryFolder folder;
+    const std::string rows = rows_in_polish("xq/min");
+    const auto named = folder.write("a.txt", rows);
+    const std::string line = "columns = { rotational_speed = \"Prędkość obrotowa [1/min]\" }";
+    EXPECT_THAT(run_pendular("import " + named.string()).errors,
+                AllOf(HasSubstr("'xq/min' is not a unit"), HasSubstr(line)));
+    const std::string options = " --decimal , --columns '" + line.substr(line.find('{')) + "'";
+    const Outcome read = run_pendular("import " + named.string() + options);
+    EXPECT_EQ(read.code, 0) << read.errors;
+    EXPECT_THAT(read.output, HasSubstr("import " + named.string() + options + " --study my-study"));
+    // Of an unknown name and beside columns that are read by their units.
+    std::string other = rows;
+    for (const auto& [from, to] :
+         {std::pair("Prędkość obrotowa", "Silnik"), std::pair("Szczelina", "Dno"),
+          std::pair("Czas", "Zegar"), std::pair("Siła normalna", "Czujnik")})
+        other.replace(other.find(from), std::string_view(from).size(), to);
+    const Outcome missing = run_pendular("import " + folder.write("b.txt", other).string());
+    EXPECT_EQ(missing.code, 2);
+    EXPECT_THAT(missing.output,
+                AllOf(HasSubstr("'xq/min' is not a unit"),
+                      HasSubstr("columns = { rotational_speed = \"Silnik [1/min]\" }")));
+    const Outcome no_study = run_pendular("import " + (folder.path() / "b.txt").string() +
+                                          " --study " + (folder.path() / "study").string());
+    EXPECT_THAT(no_study.errors,
+                HasSubstr("write columns = { rotational_speed = \"Silnik [1/min]\" }"));
+}
+
+/// All files of a folder begin a study, but for those that are no measurements, which are named.
+TEST(BegunStudy, TakesAllFilesOfAFolder) {
+    const TemporaryFolder folder;
+    const auto files = folder.path() / "files", study = folder.path() / "study",
+               named = folder.path() / "named";
+    std::filesystem::create_directory(files);
+    for (const char* const name : {"files/suche_1.txt", "files/suche_10.txt", "files/suche_2.txt"})
+        folder.write(name, rows_in_polish("obr/min"));
+    folder.write("files/CZYTAJ.txt", "Kulki szklane.\n");
+    EXPECT_THAT(run_pendular("import " + files.string() + " --decimal ,").errors,
+                HasSubstr("pendular import FILE_OR_FOLDER --study NEW_FOLDER"));
+    const Outcome run = run_pendular("import " + files.string() + " --study " + study.string());
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_THAT(run.errors + run.output, HasSubstr("CZYTAJ.txt"));
+    const std::string text = content_of(study / "study.toml");
+    const auto at = [&](const char* name) { return text.find(fmt::format("file = \"{}\"", name)); };
+    EXPECT_LT(at("suche_1.txt"), at("suche_2.txt"));
+    EXPECT_LT(at("suche_2.txt"), at("suche_10.txt"));
+    EXPECT_NE(at("suche_10.txt"), std::string::npos);
+    EXPECT_THAT(text, HasSubstr("# surface_tension ="));
+    // As the shell gives them.
+    EXPECT_EQ(run_pendular("import " + files.string() + "/*.txt --study " + named.string()).code,
+              0);
+    for (const char* const name : {"suche_1.txt", "suche_2.txt", "suche_10.txt"})
+        EXPECT_THAT(content_of(named / "study.toml"), HasSubstr(name));
+}
+
+/// Names in study.toml are as the user would write them.
+TEST(BegunStudy, HasNamesInTheirOwnLetters) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("ż.txt", rows_in_polish("xq/min")),
+               study = folder.path() / "study";
+    const std::string columns = "{ rotational_speed = \"Prędkość obrotowa [rpm]\" }";
+    ASSERT_EQ(run_pendular("import " + file.string() + " --columns '" + columns + "' --study " +
+                           study.string())
+                  .code,
+              0);
+    EXPECT_THAT(content_of(study / "study.toml"),
+                AllOf(HasSubstr("file = \"ż.txt\""), HasSubstr("columns = " + columns)));
+}
+
 /// A study with files that are called wet in any language begins with a liquid to be filled in.
 TEST(BegunStudy, HasALiquidWhereAFileIsCalledWet) {
     const TemporaryFolder folder;
@@ -113,20 +195,20 @@ TEST(BegunStudy, HasALiquidWhereAFileIsCalledWet) {
         text += fmt::format("{},2{},20,6.2{},5\n", i, i % 7, i % 3);
     const std::string dry = folder.write("secco.csv", text).string() + " ";
     for (const char* const wet : {"umido_3", "feucht 2 %", "Nass1", "mouillé", "arena_húmeda",
-                                  "glass_w10_3kPa", "moist-sand"}) {
+                                  "glass_w10_3kPa", "moist-sand", "mokre_A"}) {
         const std::filesystem::path study = folder.path() / (std::string(wet) + "_study");
         const Outcome run = run_pendular("import " + dry + "'" +
                                          folder.write(std::string(wet) + ".csv", text).string() +
                                          "' --study '" + study.string() + "'");
         ASSERT_EQ(run.code, 0) << run.errors;
-        EXPECT_THAT(content_of(study / "study.toml"), HasSubstr("[liquid]\nsurface_tension"))
+        EXPECT_THAT(content_of(study / "study.toml"), HasSubstr("\n[liquid]\nsurface_tension"))
             << wet;
     }
     for (const char* const other : {"wall_without", "niveau", "umidita"}) {
         const std::filesystem::path study = folder.path() / (std::string(other) + "_study");
         run_pendular("import " + dry + folder.write(std::string(other) + ".csv", text).string() +
                      " --study " + study.string());
-        EXPECT_THAT(content_of(study / "study.toml"), Not(HasSubstr("[liquid]"))) << other;
+        EXPECT_THAT(content_of(study / "study.toml"), Not(HasSubstr("\n[liquid]"))) << other;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "tests/support/golden.h"
 #include "tests/support/replicated_readings.h"
@@ -296,6 +297,38 @@ TEST(Replicates, AreNotWidenedByOneFileInOtherUnits) {
     EXPECT_LT(relative_variance(wrong.readings[0], 0),
               10 * relative_variance(pooled.readings[0], 0));
     EXPECT_GT(relative_variance(wrong.readings[31], 0), 1);
+}
+
+/// A dry and a wet file in each other's place are named; files that differ otherwise are not.
+TEST(Replicates, MayHaveEachOthersLiquidContents) {
+    const auto doubts = [](double dry_a, double wet_a) {
+        Measurements all;
+        for (const auto& [file, content, ratio] :
+             {std::tuple("dry_A.csv", 0.0, dry_a), std::tuple("dry_B.csv", 0.0, 0.36),
+              std::tuple("wet_A.csv", 0.03, wet_a), std::tuple("wet_B.csv", 0.03, 0.43)})
+            for (int k = 0; k < 4; ++k) {
+                // Steps within a file scatter by 0.5 %.
+                const double scatter = 1 + 0.005 * ((k * 7 + file[4]) % 3 - 1);
+                Reading& one =
+                    all.readings.emplace_back(reading(500 * (1 << k), ratio * scatter, 0.6, 0.01));
+                one.condition.liquid_content = content;
+                one.condition.inertial_number = content > 0 ? 0.0098 : 0.01;
+                one.within_run_only = true;
+                one.origin.file = file;
+                one.step = k + 1;
+            }
+        pool_replicates(all);
+        std::string text;
+        for (const Remark& doubt : all.doubts())
+            text += text_of(doubt) + "\n";
+        return text;
+    };
+    EXPECT_THAT(doubts(0.36, 0.43), IsEmpty());
+    EXPECT_THAT(doubts(0.43, 0.36),
+                testing::HasSubstr("dry_A.csv, which study.toml states as dry, agrees with the wet "
+                                   "files, and wet_A.csv, stated as wet, with the dry ones"));
+    EXPECT_THAT(doubts(0.43, 0.43), Not(testing::HasSubstr("exchanged")));
+    EXPECT_THAT(doubts(0.43, 0.43), testing::HasSubstr("dry_A.csv"));
 }
 
 TEST(Replicates, AreNotedWhereFillingsDifferMuch) {

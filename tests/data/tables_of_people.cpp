@@ -62,8 +62,14 @@ TEST(NamesWithoutAccents, AreThoseWithThem) {
 TEST(UnitsInOtherLanguages, AreWhatTheyMean) {
     const double turn = 2 * std::numbers::pi;
     EXPECT_THAT(Unit("Grad/s").to_si(1), DoubleNear(turn / 360, 1e-15));
-    for (const char* const unit : {"tr/mn", "r.p.m.", "Umdr./min", "vueltas/min"})
+    for (const char* const unit :
+         {"tr/mn",     "r.p.m.", "Umdr./min", "vueltas/min", "obr/min", "obr./min",
+          "obr./min.", "ot/min", "ot./min",   "otáčky/min",  "omw/min", "varv/min",
+          "omdr./min", "o/min",  "rot/min",   "devir/dak",   "dev./dk", "ford/perc",
+          "kierr/min", "об/мин", "об./мин."})
         EXPECT_THAT(Unit(unit).to_si(60), DoubleNear(turn, 1e-12)) << unit;
+    for (const char* const degree : {"o/s", "o"})  // as some write "°"
+        EXPECT_THROW(Unit{degree}, std::invalid_argument);
     EXPECT_THAT(Unit("kp").to_si(1), DoubleEq(9.80665));
     EXPECT_THAT(Unit("ozf").to_si(16), DoubleEq(4.4482216152605));
 }
@@ -260,6 +266,98 @@ TEST_F(TableOfPeople, IsReadByItsUnitsWhereTheyFitOneColumn) {
     // A study reads it only where it says so.
     EXPECT_THAT(input_error([&] { read_recording(path); }),
                 HasSubstr("columns = { torque = \"Twist [uNm]\" }"));
+}
+
+/// Columns that no mapping names are read as without any.
+TEST_F(TableOfPeople, IsReadByItsUnitsBesideColumnsThatAreNamed) {
+    const auto path = folder_.write(
+        "t.csv",
+        "Time [s],Moment am Deckel [mNm],Load cell [N],Bed [mm],Motor [Ticks]\n0,15,12,6.2,2\n");
+    FileFormat format;
+    format.named_columns["rotational_speed"] = "Motor [rpm]";
+    const FileView view = view_of_file(path, format);
+    EXPECT_THAT(view.missing, testing::IsEmpty());
+    EXPECT_EQ(view.by_unit.size(), 3u);
+}
+
+/// A column in a unit that is none may be what is missing.
+TEST_F(TableOfPeople, NamesColumnsInUnknownUnits) {
+    const std::string rows = "0,15,12,6.2,2,a\n1,15,12,6.2,2,b\n";
+    const auto view = [&](const std::string& names) {
+        return view_of_file(folder_.write("t.csv", names + "\n" + rows));
+    };
+    const FileView speed =
+        view("Time [s],Torque [mNm],Normal force [N],Gap [mm],Motor [Qx/min],Note [Qy]");
+    ASSERT_EQ(speed.candidates.size(), 1u);
+    EXPECT_EQ(speed.candidates[0].quantity, "rotational_speed");
+    EXPECT_EQ(speed.roles.at(0).reason, "sheared, at a speed that is not known");
+    const FileView force = view("Time [s],Torque [mNm],Load [Qz],Gap [mm],Speed [rpm],Note [Qy]");
+    ASSERT_EQ(force.candidates.size(), 1u);
+    EXPECT_EQ(force.candidates[0].quantity, "normal_force");
+    // A force that no other one stands beside is no lever's.
+    const FileView named = view("Time [s],Angle [deg],Kraft1 [N],Gap [mm],Speed [rpm],Kraft2 [N]");
+    ASSERT_FALSE(named.candidates.empty());
+    EXPECT_EQ(named.candidates[0].quantity, "normal_force");
+}
+
+/// Whole numbers that change with the speed may number the intervals, whatever their name.
+TEST_F(TableOfPeople, MayNumberIntervalsInAColumnOfAnyName) {
+    std::string text =
+        "Time [s],Torque [mNm],Normal force [N],Gap [mm],Speed [rpm],Xyz,Code,Half\n";
+    for (int i = 0; i < 120; ++i)
+        text += fmt::format("{},14.{},12,6.2,{},{},{},{}\n", i, i * i % 7, i < 60 ? 60 : 180,
+                            i < 61 ? 4 : 7, i < 30 ? 1 : 2, i < 60 ? 0.5 : 1);
+    const FileView view = view_of_file(folder_.write("t.csv", text));
+    ASSERT_THAT(view.candidates, SizeIs(1));
+    EXPECT_EQ(view.candidates[0].name, "Xyz");
+    EXPECT_EQ(view.candidates[0].quantity, "interval");
+    EXPECT_THAT(view.roles.at(0).reason, HasSubstr("2 steps of constant speed"));
+}
+
+/// A factor of 1000 between the unit that is stated and that of the file is not passed over.
+TEST_F(TableOfPeople, IsRefusedInAnotherUnitThanItStates) {
+    const auto path = folder_.write(
+        "t.csv", "Time [s],Md [N·m],Normal force [N],Gap [mm],Speed [rpm]\n0,0.02,12,6.2,2\n");
+    FileFormat format;
+    format.named_columns["torque"] = "Md [mN m]";
+    EXPECT_THAT(input_error([&] { read_recording(path, format); }),
+                testing::AllOf(HasSubstr("t.csv:1: column 'Md' is in 'N·m' by the file, but in "
+                                         "'mN m' by 'columns'"),
+                               HasSubstr("factor of 1000")));
+    for (const char* const same : {"Md [N m]", "Md [N·m]", "Md"}) {
+        format.named_columns["torque"] = same;
+        EXPECT_THAT(read_recording(path, format).torque, ElementsAre(0.02));
+    }
+}
+
+TEST_F(TableOfPeople, IsReadInFurtherLanguages) {
+    for (const char* const header :
+         {"Czas [s]\tMoment obrotowy [mN·m]\tSiła normalna [N]\tSzczelina [mm]\tPrędkość "
+          "obrotowa [obr/min]\tOdcinek [-]",
+          "Czas [s]\tMoment obrotowy [mN·m]\tSila normalna [N]\tSzczelina [mm]\tPredkosc "
+          "obrotowa [obr/min]\tKrok",
+          "Čas [s]\tKroutící moment [mNm]\tNormálová síla [N]\tŠtěrbina [mm]\tOtáčky "
+          "[ot./min]\tÚsek",
+          "Tijd [s]\tKoppel [mNm]\tNormaalkracht [N]\tSpleet [mm]\tToerental [omw/min]\tStap",
+          "Tid [s]\tVridmoment [mNm]\tNormalkraft [N]\tSpalthöjd [mm]\tVarvtal [varv/min]\tSteg",
+          "Tid [s]\tDrejningsmoment [mNm]\tAksialkraft [N]\tSpaltehøjde [mm]\tOmdrejningstal "
+          "[omdr./min]\tTrin",
+          "Tempo [s]\tBinário [mNm]\tForça normal [N]\tFolga [mm]\tVelocidade de rotação "
+          "[rpm]\tEtapa",
+          "Zaman [s]\tTork [mNm]\tNormal kuvvet [N]\tBoşluk [mm]\tDönme hızı [devir/dak]\tAdım",
+          "Idő [s]\tNyomaték [mNm]\tNormálerő [N]\tRésméret [mm]\tFordulatszám [ford/perc]\t"
+          "Szakasz",
+          "Aika [s]\tVääntömomentti [mNm]\tNormaalivoima [N]\tRako [mm]\tPyörimisnopeus "
+          "[kierr/min]\tJakso"}) {
+        const FileView view = view_of_file(folder_.write(
+            "t.txt", std::string(header) + "\n0\t20\t5\t6.2\t30\t1\n1\t20\t5\t6.2\t60\t2\n"));
+        EXPECT_THAT(view.missing, testing::IsEmpty()) << header;
+        EXPECT_THAT(view.by_unit, testing::IsEmpty()) << header;
+        ASSERT_EQ(view.series.size(), 2u) << header;
+        EXPECT_THAT(view.series[1].angular_velocity,
+                    ElementsAre(DoubleNear(2 * std::numbers::pi, 1e-12)))
+            << header;
+    }
 }
 
 TEST_F(TableOfPeople, OfStressRatiosHasShearStresses) {

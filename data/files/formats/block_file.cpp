@@ -6,12 +6,10 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <stdexcept>
 
 #include "data/files/column_names.h"
 #include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
-#include "data/quantities/units.h"
 
 namespace pendular {
 namespace {
@@ -20,16 +18,6 @@ bool same_word(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
         return std::tolower(x) == std::tolower(y);
     });
-}
-
-/// Refuses a unit that is none, of a column whose name is that of a quantity.
-void check_unit(const Position& at, const std::string& name, const std::string& unit) {
-    if (meaning_of_column(name, "").quantity.empty()) return;
-    try {
-        const Unit known(unit);
-    } catch (const std::invalid_argument& error) {
-        throw InputError(at, fmt::format("the unit of column '{}': {}", name, error.what()));
-    }
 }
 
 /// Whether a row ends before a column that is read and that the row before has.
@@ -132,11 +120,7 @@ void set_columns(BlockFile& file, Block& block, Row header, const std::vector<st
         const std::string unit = i < units.size() ? units[i] : "";
         meanings.push_back(meaning_of_column(names[i], unit));
         const ColumnMeaning& meaning = meanings.back();
-        if (meaning.quantity.empty()) {
-            const int column = i < header.cells.size() ? header.cells[i].column : 0;
-            if (!unit.empty()) check_unit({file.file, header.line, column}, names[i], unit);
-            continue;
-        }
+        if (meaning.quantity.empty()) continue;
         const auto known =
             std::ranges::find(best, meaning.quantity, &std::pair<std::string_view, Best>::first);
         if (known == best.end())

@@ -128,7 +128,7 @@ std::string bare_unit(std::string_view cell);
 /// @param header row whose cells have the positions of the columns in the file
 /// @param details further text on each column, such as "Constant component"; may be shorter
 /// @throws InputError for more than 1000 columns, `most_intervals` intervals or `most_header_cells`
-///         header cells, and for an unknown unit of a known quantity
+///         header cells
 void set_columns(BlockFile& file, Block& block, Row header, const std::vector<std::string>& names,
                  const std::vector<std::string>& units,
                  const std::vector<std::string>& details = {});

@@ -4,9 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <stdexcept>
 
+#include "data/files/column_names.h"
 #include "data/files/header_cell.h"
+#include "data/quantities/units.h"
 
 namespace pendular {
 namespace {
@@ -89,6 +93,23 @@ Relatives relatives_of(const Block& block, const std::string& quantity, std::siz
     return found;
 }
 
+/// @throws InputError if 'columns' states another unit than the file, so that the numbers would
+///         change by a factor; a unit of the file that is none, or of another kind, is corrected
+void refuse_other_unit(const Block& block, const BlockColumn& column, const std::string& stated) {
+    if (column.unit == stated || !is_unit(column.unit) || !is_unit(stated)) return;
+    const Unit own(column.unit), other(stated);
+    // Units come from tables of floating-point factors.
+    constexpr double equal = 1e-9;
+    const double factor = (own.to_si(1) - own.to_si(0)) / (other.to_si(1) - other.to_si(0));
+    if (!own.same_dimension(other) || std::abs(factor - 1) < equal) return;
+    throw InputError(
+        {block.table.file, block.table.header.line},
+        fmt::format("column '{}' is in '{}' by the file, but in '{}' by 'columns', which differ by "
+                    "a factor of {:.4g}: state the unit of the file there, or none; if that of the "
+                    "file is wrong, state all columns as a list, columns = [\"name [unit]\", ...]",
+                    column.name, column.unit, stated, std::max(factor, 1 / factor)));
+}
+
 /// Makes a column the quantity, in place of any other; its errors go with it. Errors that stand
 /// without a value so far ("shear_stress_se") become its own where it has none.
 void name_column(Block& block, const std::string& quantity, std::size_t index,
@@ -110,8 +131,35 @@ void name_column(Block& block, const std::string& quantity, std::size_t index,
         block.table.header.cells[i].text = quantity + "_n";
     BlockColumn& column = block.columns[index];
     column.quantity = quantity;
-    if (!wanted.unit.empty() && wanted.name == column.name) column.unit = wanted.unit;
+    if (!wanted.unit.empty() && wanted.name == column.name) {
+        refuse_other_unit(block, column, wanted.unit);
+        column.unit = wanted.unit;
+    }
     block.table.header.cells[index].text = header_of(quantity, "", column.unit);
+}
+
+/// Refuses units that are none, of columns whose names are those of quantities. A plain table may
+/// have them: its header may be any text, and `Columns` refuses those that it reads.
+/// @throws InputError at the header of the first
+void refuse_unknown_units(const BlockFile& file) {
+    if (file.layout == "plain") return;
+    for (const Block& block : file.blocks)
+        for (std::size_t i = 0; i < block.columns.size(); ++i) {
+            const BlockColumn& column = block.columns[i];
+            if (!column.quantity.empty() || column.unit.empty()) continue;
+            const std::string_view quantity = meaning_of_column(column.name, "").quantity;
+            if (quantity.empty()) continue;
+            try {
+                const Unit known(column.unit);
+            } catch (const std::invalid_argument& error) {
+                throw InputError(
+                    {file.file, block.table.header.line, block.table.header.cells[i].column},
+                    fmt::format("the unit of column '{}': {}; or state it in [[recording]], or for "
+                                "one file by --columns, as in {}",
+                                column.name, error.what(),
+                                line_to_name(quantity, column.name, usual_unit(quantity))));
+            }
+        }
 }
 
 }  // namespace
@@ -134,6 +182,7 @@ void use_named_columns(BlockFile& file, const FileFormat& format) {
                                      "columns are '{}'",
                                      text, quantity, fmt::join(names, "', '")));
     }
+    refuse_unknown_units(file);
 }
 
 std::string line_to_name(std::string_view quantity, std::string_view name, std::string_view unit) {
