@@ -383,12 +383,14 @@ void add_recordings(const std::vector<FileView>& views, std::map<std::string, st
     }
 }
 
-std::string liquid_content_text(double mass_ratio) {
+/// @param stated whether the names of file and test state it
+std::string liquid_content_text(double mass_ratio, bool stated) {
     if (mass_ratio == 0) return "liquid_content = 0                # GUESS: dry\n";
     return fmt::format(
         "liquid_content = {:<15g} # GUESS: volume of water over volume of "
-        "glass, from the names of file and test\n",
-        mass_ratio * glass_density / water_density);
+        "glass, {}\n",
+        mass_ratio * glass_density / water_density,
+        stated ? "from the names of file and test" : "as for 1 % of the mass");
 }
 
 /// How study.toml states that a sheet or file is to be read.
@@ -447,8 +449,10 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
         const bool several_sheets =
             sheets_of_one_book(views, view) || (format.sheet.empty() && has_several_sheets(view));
         std::string steady = steady_table(view, mass_ratios[k]);
-        entries += entries_text(view, format_of_entry(view, format, several_sheets), suffix,
-                                !steady.empty(), wet ? liquid_content_text(mass_ratios[k]) : "");
+        entries += entries_text(
+            view, format_of_entry(view, format, several_sheets), suffix, !steady.empty(),
+            wet ? liquid_content_text(mass_ratios[k], stated_percent(texts_of(view)).has_value())
+                : "");
         if (!view.loci.empty()) files[fmt::format("failure{}.csv", suffix)] = failure_table(view);
         if (!steady.empty()) files[fmt::format("steady{}.csv", suffix)] = std::move(steady);
     }

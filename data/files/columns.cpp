@@ -245,17 +245,29 @@ std::string Columns::advice_on_units() const {
                              fmt::join(all, ", "));
 }
 
+namespace {
+
+/// Advice to name the column that is to be read as a quantity.
+std::string or_name(std::string_view quantity, const Cell& header) {
+    return fmt::format(", or name the one to be read: columns = {{ {} = \"{}\" }}", quantity,
+                       header.text);
+}
+
+}  // namespace
+
 const Columns::Column* Columns::find(std::string_view name, bool deviation) const {
     const Column* found = nullptr;
     for (const Column& column : columns_) {
         if (column.name != name || column.deviation() != deviation) continue;
         if (!column.wrong.empty()) throw InputError(table_.at_header(column.index), column.wrong);
         if (found)
-            throw InputError(table_.at_header(column.index),
-                             fmt::format("'{}' and '{}' are the {}; remove one",
-                                         table_.header.cells[found->index].text,
-                                         table_.header.cells[column.index].text,
-                                         deviation ? "error of one quantity" : "same quantity"));
+            throw InputError(
+                table_.at_header(column.index),
+                fmt::format("'{0}' and '{1}' are the {2}; remove one{3}",
+                            table_.header.cells[found->index].text,
+                            table_.header.cells[column.index].text,
+                            deviation ? "error of one quantity" : "same quantity",
+                            deviation ? "" : or_name(name, table_.header.cells[found->index])));
         found = &column;
     }
     return found;

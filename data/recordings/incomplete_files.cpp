@@ -50,8 +50,11 @@ bool begins(const Steps& file, const Steps& longer) {
 LeftOut left_out_after(const FileContent& content) {
     const int last = std::max(content.steps.back()->last_line, content.steps.back()->origin.line);
     LeftOut rest;
-    std::ranges::copy_if(content.left_out, std::back_inserter(rest),
-                         [&](const Remark* rows) { return rows->first_line() > last; });
+    // The begin of a row shows no further step, nor do means below the table.
+    std::ranges::copy_if(content.left_out, std::back_inserter(rest), [&](const Remark* rows) {
+        return rows->first_line() > last && rows->kind != Kind::cut_short &&
+               rows->kind != Kind::after_interval;
+    });
     return rest;
 }
 
@@ -73,6 +76,14 @@ std::optional<Remark> cut_off(const FileContent& file, const FileContent& longer
         return std::nullopt;
     found.because = {*rest.back()};
     return found;
+}
+
+/// Remark on a file that ends within a row; empty for others.
+std::optional<Remark> cut_within_row(const std::string& file, const FileContent& content) {
+    const auto cut = std::ranges::find(content.left_out, Kind::cut_short,
+                                       [](const Remark* rows) { return rows->kind; });
+    if (cut == content.left_out.end()) return std::nullopt;
+    return Remark{.kind = Kind::ends_early, .files = {file}, .lines = (*cut)->lines};
 }
 
 /// Whether rows were left out for a reason that a warning or study.toml states.
@@ -122,7 +133,9 @@ std::vector<Remark> incomplete_files(const Study& study, const Measurements& mea
         for (const FileContent* file : files) {
             const auto longer = std::ranges::find_if(
                 files, [&](const FileContent* other) { return begins(file->steps, other->steps); });
-            if (longer != files.end()) add(cut_off(*file, **longer));
+            const auto off = longer == files.end() ? std::nullopt : cut_off(*file, **longer);
+            add(off && off->kind == Kind::ends_early ? off : cut_within_row(file->file, *file));
+            if (off && off->kind != Kind::ends_early) add(off);
         }
     }
     return found;

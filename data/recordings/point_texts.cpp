@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "data/files/folded_name.h"
@@ -11,15 +12,34 @@
 namespace pendular {
 namespace {
 
-/// Texts of a column; empty if a cell has none, or a number.
+/// Texts of a column; empty if a cell has none.
 std::vector<std::string> texts_in(const Table& table, std::size_t column) {
     std::vector<std::string> texts;
     for (const Row& row : table.rows) {
-        const std::string& text = row.cells[column].text;
-        if (text.empty() || parse_number(text)) return {};
-        texts.push_back(text);
+        if (row.cells[column].text.empty()) return {};
+        texts.push_back(row.cells[column].text);
     }
     return texts;
+}
+
+bool any_number(const std::vector<std::string>& texts) {
+    return std::ranges::any_of(texts, [](const std::string& text) {
+        return parse_number(text).has_value() || has_decimal_comma(text);
+    });
+}
+
+/// Whether each text stands in at least three rows in succession, as "3 kPa" and "6 kPa" do.
+bool stands_in_groups(const std::vector<std::string>& texts) {
+    constexpr std::size_t fewest_rows = 3;  // of a line that is fitted
+    std::set<std::string> known;
+    for (std::size_t begin = 0; begin < texts.size();) {
+        std::size_t end = begin;
+        while (end < texts.size() && texts[end] == texts[begin])
+            ++end;
+        if (end - begin < fewest_rows || !known.insert(texts[begin]).second) return false;
+        begin = end;
+    }
+    return known.size() > 1;
 }
 
 bool names_preshear(std::string_view text) {
@@ -33,11 +53,12 @@ bool names_preshear(std::string_view text) {
 
 bool names_tests(std::string_view name) {
     constexpr std::array names = {
-        "material", "wall material", "wall",      "sample",  "sample name",  "specimen",
-        "powder",   "test",          "run",       "series",  "wandmaterial", "wand",
-        "probe",    "probenname",    "pulver",    "versuch", "échantillon",  "matériau",
-        "paroi",    "poudre",        "essai",     "muestra", "pared",        "polvo",
-        "ensayo",   "campione",      "materiale", "parete",  "polvere",      "prova"};
+        "test no",   "versuch nr", "probe nr",     "sample no", "material", "wall material",
+        "wall",      "sample",     "sample name",  "specimen",  "powder",   "test",
+        "run",       "series",     "wandmaterial", "wand",      "probe",    "probenname",
+        "pulver",    "versuch",    "échantillon",  "matériau",  "paroi",    "poudre",
+        "essai",     "muestra",    "pared",        "polvo",     "ensayo",   "campione",
+        "materiale", "parete",     "polvere",      "prova"};
     const std::string wanted = folded_name(name);
     return std::ranges::any_of(names,
                                [&](std::string_view each) { return folded_name(each) == wanted; });
@@ -63,8 +84,9 @@ PointTexts texts_of_points(const Block& block) {
         if (preshears > 0 && preshears < std::ssize(texts) && found.preshears.empty())
             for (const std::string& text : texts)
                 found.preshears.push_back(names_preshear(text));
-        else if (found.tests.empty() && names_tests(block.columns[i].name) &&
-                 tells_tests_apart(texts))
+        else if (found.tests.empty() &&
+                 ((names_tests(block.columns[i].name) && tells_tests_apart(texts)) ||
+                  (!any_number(texts) && stands_in_groups(texts))))
             found.tests = texts;
     }
     return found;

@@ -1,6 +1,8 @@
 #include "data/recordings/recording.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -173,6 +175,16 @@ class QuickReader {
         rows_->add(row);
     }
 
+    /// Takes a number off the begin of a text, as `take_number` does, but without a call and an
+    /// optional for each of a hundred million cells, which took a tenth of the time.
+    static bool take(std::string_view& text, double& number) {
+        if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error != std::errc() || !std::isfinite(number)) return false;
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        return true;
+    }
+
     /// Sets `numbers_` from a line that has nothing but numbers.
     bool split(std::string_view line) {
         const auto pass = [&](char c) {
@@ -185,11 +197,11 @@ class QuickReader {
             while (pass(' '))
                 continue;
             const std::string_view begin = line;
-            const auto number = take_number(line);
-            if (!number) return false;
-            if (is_usual_missing_value(*number) && rows_->needs(i)) return false;
+            double number = 0;
+            if (!take(line, number)) return false;
+            if (number < -900 && is_usual_missing_value(number) && rows_->needs(i)) return false;
             if (!point_known_) look_at_point(begin.substr(0, begin.size() - line.size()));
-            numbers_[i] = *number;
+            numbers_[i] = number;
             while (pass(' '))
                 continue;
         }

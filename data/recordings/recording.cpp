@@ -315,8 +315,12 @@ FileFormat with_numbers(FileFormat format, const BlockFile& file) {
 }  // namespace
 
 Recording recording_of(const BlockFile& file, const FileFormat& format) {
-    if (file.layout == "plain" && file.blocks.size() == 1)
-        return recording_of_table(file.blocks.front(), with_numbers(format, file));
+    if (file.layout == "plain" && file.blocks.size() == 1) {
+        Recording recording = recording_of_table(file.blocks.front(), with_numbers(format, file));
+        for (const Remark& rows : file.skipped)
+            leave_out(recording.left_out, rows);
+        return recording;
+    }
     Recording whole;
     whole.file = file.file;
     const std::vector<Block> divided =

@@ -49,17 +49,14 @@ std::optional<std::string> load_ramp(const IntervalSeries& series) {
 }
 
 bool has_column_of_readings(const Block& block) {
-    constexpr std::array<std::string_view, 6> names = {"shear_velocity", "shear_rate",
-                                                       "height",         "solid_fraction",
-                                                       "bulk_density",   "inertial_number"};
-    // Results of ring shear testers give the density and the height at each point.
-    constexpr std::array<std::string_view, 3> also_of_points = {"height", "solid_fraction",
-                                                                "bulk_density"};
+    constexpr std::array<std::string_view, 5> names = {
+        "shear_velocity", "shear_rate", "inertial_number", "height", "solid_fraction"};
+    // Results of ring shear testers give the height at each point.
     const bool of_points = block.has_column("preshear_stress");
     return std::ranges::any_of(block.columns, [&](const BlockColumn& column) {
-        return std::ranges::find(names, column.quantity) != names.end() &&
-               !(of_points &&
-                 std::ranges::find(also_of_points, column.quantity) != also_of_points.end());
+        const bool also_of_points =
+            of_points && (column.quantity == "height" || column.quantity == "solid_fraction");
+        return std::ranges::find(names, column.quantity) != names.end() && !also_of_points;
     });
 }
 

@@ -12,8 +12,8 @@ namespace pendular {
 std::optional<std::string> load_ramp(const IntervalSeries& series);
 
 /// Whether a table has a column that the points of a yield locus lack but readings of steady shear
-/// have: of a speed or a rate, or, without a column of preshears, of a gap, a solid fraction or a
-/// bulk density.
+/// have: of a speed or a rate or, without a column of preshears, of a gap or a solid fraction. A
+/// bulk density is what shear testers give at each point.
 bool has_column_of_readings(const Block& block);
 
 /// Whether a table without time states that each of its rows is a point of failure, as failure.csv

@@ -97,7 +97,7 @@ std::string impossible_reading_text(const Remark& reading) {
 std::string rows_text(const Remark& rows) {
     switch (rows.kind) {
         case Kind::after_interval:
-            return "after the end of an interval or of the table";
+            return "after the end of an interval, or no row of the table";
         case Kind::without_point_number:
             return "without a point number";
         case Kind::cut_short:
@@ -316,6 +316,11 @@ std::string note_on_file(const Remark& note) {
         case Kind::recordings_without_reading:
             return lost_recordings_text(note);
         case Kind::ends_early:
+            if (note.files.size() == 1)
+                return fmt::format(
+                    "{} ends within line {}, which is left out. If the file was cut off, export it "
+                    "again.",
+                    file_name_of(note.file()), note.first_line());
             return fmt::format(
                 "{} ends after step {}, {} goes on to step {} from the same beginning. If the "
                 "measurement was not stopped there, the file was cut off: export it again.",

@@ -78,7 +78,9 @@ TEST(CutRecording, IsReadAlikeByTheQuickReader) {
         rows += fmt::format("{},5.01,6.20,0.5,4{}.{}5\n", i, i % 4, i % 7);
     const auto cut = folder.write("cut.csv", header + rows + "30,5.01,6.20,0.5,4");
     EXPECT_FALSE(quick_recording(cut, {}));
-    EXPECT_EQ(recording_of(read_blocks(cut), {}).size(), 30u);
+    const Recording general = recording_of(read_blocks(cut), {});
+    EXPECT_EQ(general.size(), 30u);
+    EXPECT_THAT(general.left_out, SizeIs(1));
     const auto whole = folder.write("whole.csv", header + rows + "30,5.01,6.20,0.5,40.05");
     const auto recording = quick_recording(whole, {});
     ASSERT_TRUE(recording);
@@ -135,6 +137,22 @@ TEST_F(ReadingsWithUnitsBelow, AreRefusedWhereTheLastIsCut) {
     for (int i = 0; i < 12; ++i)
         text += fmt::format("{},400,0.001,0.6\n", i + 1);
     expect_told({input_error([&] { read(text + "13,4"); })});
+}
+
+/// The study says that a recording ends within a row, and goes on without it.
+TEST(CutRecording, IsSaidByTheStudy) {
+    const TemporaryFolder folder;
+    std::string text = recording_header;
+    for (int i = 0; i < 60; ++i)
+        text += fmt::format("{},3{}.{},5.0,4.0{},0.1\n", i, i % 4, i % 7, i % 3);
+    folder.write("cut.csv", text + "60,30.0,5");
+    folder.write("study.toml",
+                 grains_table + cell_table("10 g") + "[[recording]]\nfile = \"cut.csv\"\n");
+    const Measurements all = read_measurements(read_study(folder.path()));
+    EXPECT_EQ(all.readings.size(), 1u);
+    std::vector<Remark> notes = all.notes();
+    std::erase_if(notes, [](const Remark& each) { return each.kind != Remark::Kind::ends_early; });
+    expect_told(texts(notes));
 }
 
 }  // namespace pendular::data_cut_files_test

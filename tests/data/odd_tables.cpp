@@ -83,6 +83,32 @@ TEST_F(OddTable, MayHaveLinesBelowItsRows) {
     })});
 }
 
+TEST_F(OddTable, MayHaveTitlesAndMeansAmongItsRows) {
+    for (const std::string& end : {std::string(), std::string(",,,,")}) {
+        std::string titles = names + "\n", means = titles;
+        for (int step = 0; step < 3; ++step) {
+            titles += fmt::format("Step {}: 4 kPa{}\n", step, end) +
+                      table(",", "", 8 * step, 8 * step + 8);
+            means += table(",", "", 8 * step, 8 * step + 8) + "Mean,22,5,6.2,0.5\n\n";
+        }
+        expect_rows(titles);
+        expect_rows(means);
+        const Recording recording = read_recording(folder_.write("titles.csv", titles));
+        EXPECT_THAT(recording.left_out, SizeIs(3));
+    }
+    // The rows of another table are no rows of this one.
+    EXPECT_THROW(
+        read_recording(folder_.write("two.csv", names + "\n" + table(",") +
+                                                    "\nSummary,,,,\nLoad [kPa],Mean "
+                                                    "torque [mN m],,,\n4,20,,,\n8,40,,,\n")),
+        InputError);
+    // A column of remarks has words where the others have none.
+    std::string remarks = "Remark," + names + "\n";
+    for (int i = 0; i < rows; ++i)
+        remarks += (i % 7 == 6 ? "zero," : ",") + table(",", "", i, i + 1);
+    expect_rows(remarks);
+}
+
 TEST_F(OddTable, OfRNumbersItsRowsWithoutAName) {
     std::string text = "\"time_s\" \"torque_mNm\" \"normal_force_N\" \"gap_mm\" \"omega_rad_s\"\n";
     for (int i = 0; i < rows; ++i)
@@ -203,6 +229,26 @@ TEST(PointsWithTexts, MakeALocusForEachMaterial) {
                                     "Sample,Normal stress [Pa],Shear stress [Pa]\nfirst,500,400\n"
                                     "second,1000,700\nthird,2000,1300\n");
     EXPECT_THAT(remarks.loci, SizeIs(1));
+}
+
+/// Numbers of samples, and texts of three rows in succession, tell tests apart; numbers of points
+/// and densities do not.
+TEST(PointsWithTexts, MayNumberTheirTests) {
+    const TemporaryFolder folder;
+    for (const auto& [first, second] : {std::pair("1", "2"), std::pair("3 kPa", "6 kPa")}) {
+        std::string text = std::string("Test") + ";Normalspannung [kPa];Schubspannung [kPa]\n";
+        for (const int k : {1, 2, 3})
+            text += fmt::format("{};{},0;0,{}5\n", first, k, 2 + 2 * k);
+        for (const int k : {1, 2, 3})
+            text += fmt::format("{};{},0;1,{}5\n", second, k, 2 + 2 * k);
+        EXPECT_THAT(points(folder, text).loci, SizeIs(2)) << first;
+    }
+    const FileView numbered =
+        points(folder,
+               "Test no.,Normal stress [Pa],Shear stress [Pa],Bulk density [kg/m^3]\n"
+               "1,500,400,1480\n2,1000,700,1481\n3,2000,1300,1480\n4,3000,1900,1482\n");
+    ASSERT_THAT(numbered.loci, SizeIs(1));
+    EXPECT_THAT(numbered.loci[0].points, SizeIs(4));
 }
 
 }  // namespace pendular::data_odd_tables_test

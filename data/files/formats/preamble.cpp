@@ -150,26 +150,102 @@ bool begins_with_word(const Row& row) {
            signs.find(static_cast<char>(c)) != std::string_view::npos;
 }
 
-/// Leaves out the lines below the rows of a table: means of the columns, signatures, and "End of
-/// data".
-/// @param first index of the first row
-void take_lines_below(SourceLines& source, std::size_t first, char delimiter, BlockFile& file) {
-    constexpr std::size_t most_lines_below = 20, fewest_rows = 3;
-    std::size_t end = source.lines.size();
-    std::vector<std::size_t> below;
-    for (; end > first && below.size() <= most_lines_below; --end) {
-        if (first_filled_line(source, end - 1) != end - 1 || source.lines[end - 1].starts_with('#'))
-            continue;
-        if (!begins_with_word(source.row(end - 1, delimiter))) break;
-        below.push_back(end - 1);
+/// Index of the first cell with a text.
+std::size_t first_filled_cell(const Row& row) {
+    const auto first =
+        std::ranges::find_if(row.cells, [](const Cell& cell) { return !cell.text.empty(); });
+    return static_cast<std::size_t>(first - row.cells.begin());
+}
+
+/// Whether a line is no row of a table whose rows have a first number in a column: it has a word
+/// there, as in "Mean;20,1;5,0", or alone, as in "Step 2: 8 kPa".
+bool stands_for_no_row(const Row& row, std::size_t column) {
+    if (!begins_with_word(row)) return false;
+    const std::size_t first = first_filled_cell(row);
+    const bool alone =
+        std::ranges::all_of(row.cells.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                            row.cells.end(), [](const Cell& cell) { return cell.text.empty(); });
+    return alone || first == column || column >= row.cells.size() ||
+           !(parse_number(row.cells[column].text) || has_decimal_comma(row.cells[column].text));
+}
+
+/// Whether a line may begin with a word, told without splitting it.
+bool may_begin_with_word(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(" \t,;\"");
+    return first != std::string_view::npos &&
+           std::string_view("0123456789.+#").find(line[first]) == std::string_view::npos;
+}
+
+/// Lines below the names that are no rows of numbers: some among the rows and some below them.
+struct LinesOfWords {
+    std::vector<std::size_t> among, below;
+    std::size_t rows = 0;
+    bool other_table = false;  ///< whether names of further columns stand among them
+};
+
+/// Whether a line has several texts and no number, as the names of columns.
+bool may_be_names(const Row& row) {
+    std::size_t texts = 0;
+    for (const Cell& cell : row.cells) {
+        if (parse_number(cell.text) || has_decimal_comma(cell.text)) return false;
+        texts += !cell.text.empty();
     }
-    if (below.size() > most_lines_below || end < first + fewest_rows) return;
-    // In a table whose rows all begin with a word, these are rows too.
-    if (begins_with_word(source.row(first, delimiter))) return;
-    std::ranges::reverse(below);
-    for (const std::size_t line : below) {
+    return texts > 1;
+}
+
+LinesOfWords lines_of_words(const SourceLines& source, std::size_t begin, std::size_t column,
+                            char delimiter) {
+    LinesOfWords found;
+    for (std::size_t i = begin; i < source.lines.size(); ++i) {
+        if (first_filled_line(source, i) != i || source.lines[i].starts_with('#')) continue;
+        if (may_begin_with_word(source.lines[i]) &&
+            stands_for_no_row(source.row(i, delimiter), column)) {
+            found.below.push_back(i);
+            continue;
+        }
+        ++found.rows;
+        found.other_table |= std::ranges::any_of(found.below, [&](std::size_t line) {
+            return may_be_names(source.row(line, delimiter));
+        });
+        std::ranges::copy(found.below, std::back_inserter(found.among));
+        found.below.clear();
+    }
+    return found;
+}
+
+/// Leaves out lines of words among the rows of a table and below them: titles of its parts, means
+/// of the columns, signatures, and "End of data".
+/// @param first index of the first row
+void take_lines_of_words(SourceLines& source, std::size_t first, char delimiter, BlockFile& file) {
+    // A table of more titles than that is none of numbers with a few words among them.
+    constexpr std::size_t most_below = 20, fewest_rows = 3, rows_of_a_title = 4;
+    const Row row = source.row(first, delimiter);
+    // Where the first row begins with a word, others may do so too.
+    if (begins_with_word(row)) return;
+    LinesOfWords words = lines_of_words(source, first, first_filled_cell(row), delimiter);
+    if (words.other_table || words.rows < fewest_rows || words.below.size() > most_below ||
+        rows_of_a_title * words.among.size() > words.rows)
+        return;
+    std::ranges::copy(words.below, std::back_inserter(words.among));
+    for (const std::size_t line : words.among) {
         source.lines[line] = {};
         skip_line(file, static_cast<int>(line) + 1, Remark::Kind::after_interval);
+    }
+}
+
+/// Leaves out a title between the names and the first row, such as "Step 1: 4 kPa" above the rows
+/// of that step: a single cell with a text.
+void take_title_below_names(SourceLines& source, std::size_t names, std::size_t first,
+                            char delimiter, BlockFile& file) {
+    for (std::size_t i = names + 1; i < first; ++i) {
+        if (first_filled_line(source, i) != i || source.lines[i].starts_with('#')) continue;
+        const Row row = source.row(i, delimiter);
+        if (!begins_with_word(row) || !stands_for_no_row(row, row.cells.size())) continue;
+        const auto filled =
+            std::ranges::count_if(row.cells, [](const Cell& cell) { return !cell.text.empty(); });
+        if (filled != 1) continue;
+        source.lines[i] = {};
+        skip_line(file, static_cast<int>(i) + 1, Remark::Kind::after_interval);
     }
 }
 
@@ -206,12 +282,14 @@ void take_preamble(SourceLines& source, BlockFile& file) {
     refuse_lying_table(source, delimiter);
     try {
         lines = lines_above_rows(source, delimiter);
-        if (!lines.empty()) take_lines_below(source, lines.back().index, delimiter, file);
+        if (!lines.empty()) take_lines_of_words(source, lines.back().index, delimiter, file);
     } catch (const InputError&) {  // a quote, on which the layout has its say
         return;
     }
     const auto names = place_of_names(source, delimiter, lines);
-    if (!names || *names == 0) return;
+    if (!names) return;
+    take_title_below_names(source, lines[*names].index, lines.back().index, delimiter, file);
+    if (*names == 0) return;
     // The layout "plain" passes over comments, but that with a row of units does not.
     const auto above = std::span(lines).first(*names);
     const bool comments = std::ranges::all_of(above, &ExaminedLine::comment);
