@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "reports/failure_report.h"
 #include "reports/fit_report.h"
@@ -12,6 +13,7 @@
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "workflow/json/diagnosis.h"
+#include "workflow/odd_recording.h"
 
 namespace pendular {
 namespace {
@@ -294,7 +296,11 @@ std::string doubt_line(const StudyDiagnosis& study) {
     const Verdict verdict = study.diagnosis.verdict;
     const bool fits = verdict == Verdict::nothing_missing || verdict == Verdict::inconclusive;
     if (!fits || study.belief.believable()) return "";
-    return "Its fitted values are in doubt all the same: see the warnings.";
+    const auto odd = odd_recording(study);
+    if (!odd || !odd->stands_out())
+        return "Its fitted values are in doubt all the same: see the warnings.";
+    return std::filesystem::path(odd->file).filename().string() +
+           " stands out, and the fitted values are in doubt: see the warnings.";
 }
 
 std::string friction_line(const StudyDiagnosis& study) {

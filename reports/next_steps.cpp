@@ -17,6 +17,7 @@
 #include "reports/impact_report.h"
 #include "reports/other_causes.h"
 #include "reports/proposal_report.h"
+#include "reports/tables.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "workflow/next.h"
@@ -109,10 +110,12 @@ class Steps {
                           const std::vector<FittedModel>& models);
     /// Says of an effect that is there anyway that it is to be added before others are sought.
     void add_certain(const Effect& effect) {
-        say(
-            fmt::format("Add {} before you look for another cause, since {}; it acts in every cell "
-                        "in which beads rest on the base. Then diagnose again: pendular add {} {}.",
-                        effect.name, effect.certain, study_, effect.name));
+        steps_.push_back(
+            {.text = fmt::format("Add {0} before you look for another cause, since {1}; it acts in "
+                                 "every cell in which beads rest on the base. Then diagnose again: "
+                                 "pendular add {2} {0}.",
+                                 effect.name, effect.certain, study_),
+             .add = effect.name});
     }
     std::vector<std::string> effects_of_rivals() const;
     std::string expected(const Effect& effect, const std::vector<FittedModel>& models) const;
@@ -431,16 +434,19 @@ std::string Steps::repetition_of(const SuspectError& error) const {
                            error.suspect.name);
     }
     std::set<std::string> conditions;
-    std::size_t readings = 0;
+    std::vector<std::string> readings;
     for (std::size_t k = 0; k < d_.readings.size(); ++k) {
         const auto rows = error.suspect.columns.middleRows<2>(2 * static_cast<Eigen::Index>(k));
         if (rows.isZero(0)) continue;
         conditions.insert(condition_text(d_.readings[k].condition));
-        ++readings;
+        readings.push_back(place_of(d_.readings[k]));
     }
     std::string text = fmt::format("Repeat {} with a new filling", error.suspect.name);
+    constexpr std::size_t most_named = 4;  // in one sentence
     if (conditions.size() > 1) {
-        text += fmt::format(" ({} readings at {} conditions)", readings, conditions.size());
+        text += fmt::format(" ({} readings at {} conditions)", readings.size(), conditions.size());
+    } else if (readings.size() <= most_named) {
+        text += fmt::format(" ({})", fmt::join(readings, ", "));
     }
     if (const std::string size = error.text(); !size.empty()) {
         text += fmt::format(
@@ -531,8 +537,12 @@ std::string next_command(const Diagnosis& diagnosis, const std::vector<NextStep>
             [[fallthrough]];
         case Verdict::suspect_measurement:
             return fmt::format("pendular diagnose {}   # after these steps", study);
-        case Verdict::indistinguishable:
-            return fmt::format("pendular next {}", study);
+        case Verdict::indistinguishable: {
+            const auto added =
+                std::ranges::find_if(steps, [](const NextStep& step) { return !step.add.empty(); });
+            return added == steps.end() ? fmt::format("pendular next {}", study)
+                                        : fmt::format("pendular add {} {}", study, added->add);
+        }
         case Verdict::nothing_missing:
         case Verdict::inconclusive:
             break;

@@ -20,6 +20,7 @@ struct NextStep {
     bool direct = false;    ///< whether it is a direct measurement of an effect
     /// Premise as the beginning of a sentence: "If the new readings agree with the old: ".
     std::string condition = {};
+    std::string add = {};  ///< effect that it adds to the model; empty: none
 };
 
 /// Returns the steps in the order in which to take them: checks of the instrument, direct

@@ -19,16 +19,16 @@
 namespace pendular {
 namespace {
 
-std::string place(const Reading& reading) {
+constexpr std::size_t place_width = 28;  ///< characters: fits most names with a step
+
+}  // namespace
+
+std::string place_of(const Reading& reading) {
     const std::string file = std::filesystem::path(reading.origin.file).filename().string();
     return reading.step > 0 ? fmt::format("{} step {}", file, reading.step)
                             : fmt::format("{}:{}{}", file, reading.origin.line,
                                           reading.condition.at_failure ? " (peak)" : "");
 }
-
-constexpr std::size_t place_width = 28;  ///< characters: fits most names with a step
-
-}  // namespace
 
 std::string freedom_text(int degrees_of_freedom) {
     return fmt::format("{} degree{} of freedom", degrees_of_freedom,
@@ -53,8 +53,8 @@ std::vector<std::string> readings_table(const Measurements& measurements) {
         fmt::format("  {:<{}} {:>13} {:>9} {:>8} {:>18} {:>20}", "reading", place_width,
                     "stress [Pa]", "number", "content", "shear stress [Pa]", "solid fraction")};
     for (const auto& r : measurements.readings) {
-        lines.push_back(fmt::format("  {:<{}} {:>13.4g} {:>9.3g} {:>8.3g} {:>18} {:>20}", place(r),
-                                    place_width, r.condition.normal_stress,
+        lines.push_back(fmt::format("  {:<{}} {:>13.4g} {:>9.3g} {:>8.3g} {:>18} {:>20}",
+                                    place_of(r), place_width, r.condition.normal_stress,
                                     r.condition.inertial_number, r.condition.liquid_content,
                                     with_error(r.value(0), std::sqrt(r.covariance(0, 0))),
                                     with_error(r.value(1), std::sqrt(r.covariance(1, 1)))));
@@ -157,7 +157,7 @@ std::vector<std::string> predictions_table(const Comparison& comparison, bool wo
         lines.push_back(fmt::format(
             "  {:<{}} {:>11.4g} {:>9.3g} | {:>9.4g} {:>9.4g} {:>11.2f} | {:>8.4f} {:>7.4f} "
             "{:>12.2f} | {:>6.2f}",
-            place(m.reading), place_width, m.reading.condition.normal_stress,
+            place_of(m.reading), place_width, m.reading.condition.normal_stress,
             m.reading.condition.inertial_number, m.reading.value(0), m.predicted(0),
             m.normalised(0), m.reading.value(1), m.predicted(1), m.normalised(1), m.chi2.sum()));
     }

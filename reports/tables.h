@@ -8,6 +8,9 @@
 
 namespace pendular {
 
+/// Returns the name of a reading: "dry_1.csv step 3", or "table.csv:12" for a row of a table.
+std::string place_of(const Reading& reading);
+
 // Text tables, one string per line, with the units in the header.
 
 /// Returns the imported readings: normal stress [Pa], inertial number [1], liquid content [1] and,

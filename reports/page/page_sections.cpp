@@ -415,12 +415,12 @@ std::vector<std::string> warnings_of(const PageContent& content) {
 
 /// The value that `pendular calibrate` gave, for the study as it is.
 std::string calibrated_line(const FittedStudy& fitted) {
-    return fmt::format("By 'pendular calibrate', the {} is {}{}.",
+    return fmt::format("By 'pendular calibrate', the {} is {}{}",
                        parameter_in_words(fitted.calibration.parameters.front().name),
                        estimate_text(fitted.calibration.fit, 0, "1"),
-                       fitted.belief.reasons.empty() ? ": the value to report"
-                                                     : "; do not use it before the warnings below "
-                                                       "are dealt with");
+                       fitted.belief.believable()
+                           ? ": the value to report."
+                           : "; do not use it: " + fitted.belief.reasons.front());
 }
 
 /// Sentences on the fits of the page, for its provenance.
@@ -461,6 +461,9 @@ PageTexts page_texts(const PageContent& content) {
     if (std::string doubt = doubt_line(d); !doubt.empty()) texts.headline += " " + doubt;
     std::ranges::move(suspect_lines(d), std::back_inserter(texts.details));
     if (std::string friction = friction_line(d); !friction.empty()) {
+        const std::string hint = " ('pendular calibrate' gives the value to report)";
+        if (const auto at = friction.find(hint); content.calibrated && at != std::string::npos)
+            friction.erase(at, hint.size());
         texts.details.push_back(std::move(friction));
     }
     // Else the page shows chi2/dof of the readings' figures and of the verdict without saying why
@@ -468,7 +471,12 @@ PageTexts page_texts(const PageContent& content) {
     if (std::string granted = granted_line(d, content.resolved.study()); !granted.empty())
         texts.details.push_back(std::move(granted));
     // A suspect recording is the headline itself.
-    if (d.diagnosis.verdict != Verdict::suspect_measurement) {
+    const auto& suspects = d.evidence.suspects;
+    const bool of_files = std::ranges::any_of(d.diagnosis.suspects, [&](const std::string& name) {
+        const auto found = std::ranges::find(suspects, name, &SuspectMeasurement::name);
+        return found != suspects.end() && found->group == "files";
+    });
+    if (!of_files) {
         std::string odd = odd_file_line(d);
         if (odd.empty() && !files_line(d).empty()) odd = "No file stands out from the others.";
         if (!odd.empty()) texts.details.push_back(std::move(odd));

@@ -122,6 +122,15 @@ TEST_F(NextSteps, CheckTheSensorBeforeAProposalIsAdded) {
     EXPECT_EQ(command(), "pendular next beads");
 }
 
+TEST_F(NextSteps, AddWhatIsThereAnywayBeforeItsRivalsAreSought) {
+    forget(Verdict::indistinguishable);
+    d_.diagnosis.effects = {"torque-offset", "grain-weight"};
+    expect_told({texts().front()});
+    EXPECT_EQ(command(), "pendular add beads grain-weight");
+    d_.diagnosis.effects = {"torque-offset", "normal-force-offset"};
+    EXPECT_EQ(command(), "pendular next beads");
+}
+
 TEST_F(NextSteps, RuleOutWhatWouldShiftTheFriction) {
     forget(Verdict::inconclusive);
     d_.diagnosis.effects = {"rolling-resistance", "torque-gain"};

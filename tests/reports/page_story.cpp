@@ -9,6 +9,7 @@
 
 #include <sstream>
 
+#include "reports/next_steps.h"
 #include "reports/page/page_data.h"
 #include "tests/support/data_support.h"
 #include "workflow/session.h"
@@ -68,6 +69,8 @@ TEST(PageStory, ShowsTheReadingsWithTheErrorOfASuspectMeasurementCorrected) {
     ASSERT_TRUE(corrected);
     EXPECT_THAT(corrected->of, testing::HasSubstr("1000 Pa"));
     ASSERT_EQ(corrected->deviations[0].size(), diagnosis.readings.size());
+    EXPECT_THAT(texts_of(next_steps(diagnosis, {}, whole.resolved(), "beads")).front(),
+                testing::HasSubstr("(dry_1.csv step 3, dry_2.csv step 3)"));
     EXPECT_LT(corrected->rms[0], 1.2);  // 1.9 % with the error, 0.8 % without
 }
 
