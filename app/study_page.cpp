@@ -9,10 +9,10 @@
 
 #include "analysis/diagnosis/study_evidence.h"
 #include "data/input_error.h"
-#include "reports/diagnosis_report.h"
 #include "reports/next_steps.h"
 #include "reports/page/page_curves.h"
 #include "reports/page/report_page.h"
+#include "reports/verdict_report.h"
 #include "workflow/json/fit.h"
 #include "workflow/json/training_runs.h"
 #include "workflow/switched_models.h"
@@ -27,12 +27,6 @@ std::vector<std::string> planned(const Session& session, const StudyDiagnosis& d
     } catch (const InputError&) {
         return {};  // the steps name the command that says why
     }
-}
-
-/// The next command, where that is not the one that made the page.
-std::string next_on_page(const std::string& command, const CommonOptions& common) {
-    const std::string report = "pendular report";
-    return command.starts_with(report) ? "pendular next " + common.study_word() : command;
 }
 
 /// The calibration in the results folder; empty where there is none of the study as it is now.
@@ -77,7 +71,9 @@ StudyPage study_page(const Session& session, const CommonOptions& common,
         .impacts = impacts,
         .ladder = read_ladder(folder / "ladder.json"),
         .steps = step_lines(steps, planned(session, d)),
-        .command = next_on_page(next_command(d.diagnosis, steps, common.study_word()), common),
+        .command = is_of_fitting_model(d.diagnosis.verdict)
+                       ? "pendular next " + common.study_word()  // not the one that made the page
+                       : next_command(d.diagnosis, steps, common.study_word()),
         .switched = switched_models(session.resolved(), d, session.options(), switching),
         .panels = panels,
         .version = PENDULAR_VERSION,

@@ -14,6 +14,7 @@
 #include "reports/odd_file_report.h"
 #include "reports/other_causes.h"
 #include "reports/proposal_report.h"
+#include "reports/verdict_report.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "workflow/rivals.h"
@@ -95,8 +96,7 @@ void add_evidence(Output& output, const DiagnosisParts& parts) {
 /// Adds a note for each effect that study.toml defines and that is estimated at a bound of its
 /// parameter, where something is missing: its true size may lie beyond.
 void add_notes_on_bounds(Output& output, const StudyDiagnosis& d, const Study& study) {
-    const Verdict verdict = d.diagnosis.verdict;
-    if (verdict == Verdict::nothing_missing || verdict == Verdict::inconclusive) return;
+    if (is_of_fitting_model(d.diagnosis.verdict)) return;
     for (const Finding& finding : d.diagnosis.scan) {
         const Candidate& candidate = d.models->candidates()[finding.candidate];
         const bool of_study =

@@ -8,16 +8,14 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
-#include <set>
 #include <utility>
 
-#include "analysis/design/point.h"
 #include "analysis/diagnosis/study_evidence.h"
 #include "reports/diagnosis_table.h"
+#include "reports/direct_measurement.h"
 #include "reports/impact_report.h"
 #include "reports/other_causes.h"
 #include "reports/proposal_report.h"
-#include "reports/tables.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "workflow/next.h"
@@ -118,16 +116,12 @@ class Steps {
              .add = effect.name});
     }
     std::vector<std::string> effects_of_rivals() const;
-    std::string expected(const Effect& effect, const std::vector<FittedModel>& models) const;
-    std::string to_rule_out(const Effect& effect) const;
-    double error_to_rule_out(const Effect& effect) const;
     bool matters(const std::string& effect) const;
     /// Whether the study states a direct measurement of an effect already.
     bool measured(const std::string& effect) const {
         const auto& direct = resolved_.study().direct;
         return std::ranges::find(direct, effect, &StatedDirect::effect) != direct.end();
     }
-    std::string repetition_of(const SuspectError& error) const;
     void check_suspect_sensors(const std::vector<SuspectError>& errors);
     void check_sensors();
     /// Whether the study's files come from a sensor: tables of readings tell nothing of a gap.
@@ -146,59 +140,11 @@ class Steps {
     std::vector<NextStep> steps_;
 };
 
-/// Largest standard error with which a deviation of this size is seen.
-double deciding_error(double deviation) {
-    return std::abs(deviation) / std::sqrt(telling_directly);
-}
-
-/// Text of a standard error, rounded down to two digits.
-std::string at_most(double error, const std::string& unit) {
-    if (!(error > 0)) return with_unit(0, unit);
-    const double digit = std::pow(10, std::floor(std::log10(error)) - 1);
-    return with_unit(std::floor(error / digit) * digit, unit);
-}
-
-/// End of a sentence on the standard error `needed` of a direct measurement: whether it reaches it.
-std::string reached(const Effect& effect, double needed) {
-    if (effect.reachable_error == 0) return "";
-    const bool decides = effect.reachable_error <= needed;
-    return fmt::format("; {}, which the measurement reaches, {} enough",
-                       with_unit(effect.reachable_error, effect.parameters.front().unit),
-                       decides ? "is" : "is not");
-}
-
 /// Clause that names the effects after the first: " and the readings call for lid-slip too".
 std::string others_than_first(const std::vector<std::string>& effects) {
     if (effects.size() < 2) return "";
     return fmt::format(" and the readings call for {} too",
                        joined({effects.begin() + 1, effects.end()}, "and"));
-}
-
-/// Sentence on the value to expect if the effect is there, as the first of `models` that contains
-/// it says; empty where none determines it.
-std::string Steps::expected(const Effect& effect, const std::vector<FittedModel>& models) const {
-    const StudyModelSpace& space = *d_.models;
-    for (const FittedModel& each : models) {
-        if (each.suspect) continue;
-        auto at = diagnosis_.base.fit.parameters.size();
-        for (const std::size_t k : each.chosen) {
-            const Candidate& candidate = space.candidates()[k];
-            if (candidate.name == effect.name && candidate.free_parameters() > 0 &&
-                at < each.fit.parameters.size()) {
-                const EffectParameter& p = candidate.parameters.front();
-                const double value = each.fit.parameters(at), error = each.fit.standard_error(at);
-                const double without = effect.unlisted_value(resolved_.study().liquid);
-                return fmt::format(
-                    " If it is the cause, expect {} ({}; without the effect {}); a clearly "
-                    "different value speaks against it. A standard error of {} or less decides{}.",
-                    with_error(value, error, p.unit), p.meaning, with_unit(without, p.unit),
-                    at_most(deciding_error(value - without), p.unit),
-                    reached(effect, deciding_error(value - without)));
-            }
-            at += static_cast<Eigen::Index>(candidate.free_parameters());
-        }
-    }
-    return "";
 }
 
 void Steps::measure_directly(const std::vector<std::string>& effects,
@@ -219,7 +165,7 @@ void Steps::measure_directly(const std::vector<std::string>& effects,
             further.push_back(fmt::format("{} by {}", name, effect.directly));
         } else {
             say_direct(fmt::format("Measure {} directly, by {}.{}", name, effect.directly,
-                                   expected(effect, models)));
+                                   value_to_expect(d_, resolved_, effect, models)));
         }
     }
     if (!further.empty()) {
@@ -311,36 +257,6 @@ void Steps::indistinguishable() {
     tell_apart(joined(diagnosis_.effects, "and"));
 }
 
-/// Largest standard error of a direct measurement that, entered into study.toml, makes the readings
-/// show the effect at its smallest size of interest. The readings lack a noncentrality of
-/// n ((d/s)^2 - 1), with n their own at this size s and d the smallest size that they show; the
-/// measurement brings (s/error)^2. Where n is not known, that of a measurement by itself.
-double Steps::error_to_rule_out(const Effect& effect) const {
-    const double size = effect.parameters.front().smallest_of_interest;
-    const Finding& finding = finding_of(diagnosis_, *d_.models, effect.name);
-    const ScoreTest& test = finding.test;
-    if (!test.seen() || !(test.length > 0) || !std::isfinite(finding.detectable))
-        return deciding_error(size);
-    const double own = std::pow(std::max(0.0, test.information), 2) / test.length;
-    const double lacking = own * (std::pow(finding.detectable / size, 2) - 1);
-    // A tenth less: the value that is found shifts the fit a little.
-    constexpr double margin = 0.9;
-    return lacking > 0 ? margin * size / std::sqrt(lacking) : deciding_error(size);
-}
-
-/// Sentence on the accuracy that rules an effect out at its smallest size of interest.
-std::string Steps::to_rule_out(const Effect& effect) const {
-    const EffectParameter& p = effect.parameters.front();
-    if (p.is_switch()) return "";
-    const double needed = error_to_rule_out(effect);
-    return fmt::format(
-        " A standard error of {} or less shows, together with the readings, whether the {} differs "
-        "from {} by {}{}.",
-        at_most(needed, p.unit), p.meaning,
-        with_unit(effect.unlisted_value(resolved_.study().liquid), p.unit, 3),
-        with_unit(p.smallest_of_interest, p.unit), reached(effect, needed));
-}
-
 /// Whether an effect of the smallest size of interest would shift the fitted friction coefficient
 /// noticeably.
 bool Steps::matters(const std::string& effect) const {
@@ -369,7 +285,7 @@ void Steps::inconclusive() {
         if (effect.directly.empty() || measured(name) || !matters(name) || named++ >= most_direct)
             continue;
         say_direct(fmt::format("To rule out {}, measure it directly, by {}.{}", name,
-                               effect.directly, to_rule_out(effect)));
+                               effect.directly, error_to_rule_out(d_, resolved_, effect)));
     }
     steps_.push_back({fmt::format("Optional: the readings that 'pendular next {}' plans make the "
                                   "standard errors of the fitted parameters smaller; they are not "
@@ -426,37 +342,6 @@ void Steps::check_suspect_sensors(const std::vector<SuspectError>& errors) {
     }
 }
 
-/// Sentences that ask to repeat the readings of a suspect measurement, with what to expect.
-std::string Steps::repetition_of(const SuspectError& error) const {
-    const std::string& group = error.suspect.group;
-    if (group == "direct measurements") {
-        return fmt::format("Repeat {}, and write the new value into [[direct]] of study.toml.",
-                           error.suspect.name);
-    }
-    std::set<std::string> conditions;
-    std::vector<std::string> readings;
-    for (std::size_t k = 0; k < d_.readings.size(); ++k) {
-        const auto rows = error.suspect.columns.middleRows<2>(2 * static_cast<Eigen::Index>(k));
-        if (rows.isZero(0)) continue;
-        conditions.insert(condition_text(d_.readings[k].condition));
-        readings.push_back(place_of(d_.readings[k]));
-    }
-    std::string text = fmt::format("Repeat {} with a new filling", error.suspect.name);
-    constexpr std::size_t most_named = 4;  // in one sentence
-    if (conditions.size() > 1) {
-        text += fmt::format(" ({} readings at {} conditions)", readings.size(), conditions.size());
-    } else if (readings.size() <= most_named) {
-        text += fmt::format(" ({})", fmt::join(readings, ", "));
-    }
-    if (const std::string size = error.text(); !size.empty()) {
-        text += fmt::format(
-            ". If the old readings are wrong ({}), the new ones differ by that much", size);
-    }
-    return text + (group == "conditions"
-                       ? ". If they do, leave the old ones out of their file."
-                       : ". If they do, list the new files in study.toml in place of the old.");
-}
-
 void Steps::suspect() {
     if (diagnosis_.overruled) {
         say(fmt::format("Check {}, and correct it in the recordings or in study.toml.",
@@ -471,7 +356,7 @@ void Steps::suspect() {
     if (lasting) check_suspect_sensors(errors);
     std::string own;
     for (const SuspectError& error : errors) {
-        say(repetition_of(error));
+        say(repetition_of(error, d_.readings));
         if (own.empty()) own = own_condition(d_.readings, error.suspect);
     }
     say(

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "reports/tables.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
 
@@ -96,6 +97,36 @@ std::vector<std::string> suspect_lines(const StudyDiagnosis& study) {
         lines.push_back(std::move(line));
     }
     return lines;
+}
+
+std::string repetition_of(const SuspectError& error, const std::vector<Reading>& readings) {
+    const std::string& group = error.suspect.group;
+    if (group == "direct measurements") {
+        return fmt::format("Repeat {}, and write the new value into [[direct]] of study.toml.",
+                           error.suspect.name);
+    }
+    std::set<std::string> conditions;
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const auto rows = error.suspect.columns.middleRows<2>(2 * static_cast<Eigen::Index>(k));
+        if (rows.isZero(0)) continue;
+        conditions.insert(condition_text(readings[k].condition));
+        names.push_back(place_of(readings[k]));
+    }
+    std::string text = fmt::format("Repeat {} with a new filling", error.suspect.name);
+    constexpr std::size_t most_named = 4;  // in one sentence
+    if (conditions.size() > 1) {
+        text += fmt::format(" ({} readings at {} conditions)", names.size(), conditions.size());
+    } else if (names.size() <= most_named) {
+        text += fmt::format(" ({})", fmt::join(names, ", "));
+    }
+    if (const std::string size = error.text(); !size.empty()) {
+        text += fmt::format(
+            ". If the old readings are wrong ({}), the new ones differ by that much", size);
+    }
+    return text + (group == "conditions"
+                       ? ". If they do, leave the old ones out of their file."
+                       : ". If they do, list the new files in study.toml in place of the old.");
 }
 
 namespace {

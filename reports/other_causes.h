@@ -38,6 +38,11 @@ std::vector<SuspectError> suspect_errors(const StudyDiagnosis& diagnosis);
 /// the error, and the condition that only the suspect readings have (`own_condition`).
 std::vector<std::string> suspect_lines(const StudyDiagnosis& diagnosis);
 
+/// Returns sentences that ask to repeat the readings of a suspect measurement, which they name,
+/// with what to expect.
+/// @param readings of the diagnosis
+std::string repetition_of(const SuspectError& error, const std::vector<Reading>& readings);
+
 /// Returns the rank correlation gamma [1] between the liquid contents and the times of the wet
 /// readings: 1 if the content never decreases with time, -1 if it never increases. Pairs with equal
 /// contents or times do not count; 0 if no pair counts.

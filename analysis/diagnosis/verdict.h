@@ -39,6 +39,10 @@ enum class Verdict {
 };
 /// Returns the name for output, such as "nothing-missing".
 std::string_view to_string(Verdict verdict);
+/// Whether the study's model describes the readings, so that nothing is named.
+constexpr bool is_of_fitting_model(Verdict verdict) {
+    return verdict == Verdict::nothing_missing || verdict == Verdict::inconclusive;
+}
 
 /// Decision on one candidate effect.
 enum class Decision {

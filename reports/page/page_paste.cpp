@@ -8,10 +8,10 @@
 
 #include "calib/fit/calibrate_study.h"
 #include "data/files/csv.h"
-#include "reports/diagnosis_report.h"
 #include "reports/failure_report.h"
 #include "reports/page/page_data.h"
 #include "reports/tables.h"
+#include "reports/verdict_report.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
 
@@ -216,9 +216,7 @@ PasteTexts paste_texts(const PageContent& content) {
     std::string caution;
     std::vector<std::string> reasons = content.diagnosis.belief.reasons;
     const Diagnosis& diagnosis = content.diagnosis.diagnosis;
-    const bool stands =
-        diagnosis.verdict == Verdict::nothing_missing || diagnosis.verdict == Verdict::inconclusive;
-    if (!stands) {
+    if (!is_of_fitting_model(diagnosis.verdict)) {
         reasons.insert(reasons.begin(),
                        verdict_headline(diagnosis, *content.diagnosis.models, content.checks));
     }

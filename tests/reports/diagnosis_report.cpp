@@ -2,6 +2,7 @@
 #include "reports/diagnosis_report.h"
 
 #include "reports/diagnosis_table.h"
+#include "reports/verdict_report.h"
 #include "tests/support/golden.h"
 #include "tests/support/linear_space.h"
 

@@ -5,12 +5,12 @@
 #include <gmock/gmock.h>
 
 #include <regex>
-#include <sstream>
 
-#include "reports/diagnosis_report.h"
 #include "reports/diagnosis_table.h"
 #include "reports/other_causes.h"
 #include "reports/proposal_report.h"
+#include "reports/verdict_report.h"
+#include "tests/support/changed_example.h"
 #include "tests/support/golden.h"
 #include "workflow/rivals.h"
 #include "workflow/session.h"
@@ -232,17 +232,6 @@ TEST_F(NextSteps, TellCausesInTheBeadsApart) {
     EXPECT_NEAR(other[0].predictor->predict(parameters, at).value(1), 1.1 * before, 1e-6);
 }
 
-/// Study of the missing effect's example in which the effect is listed.
-fs::path with_its_effect(const TemporaryFolder& folder) {
-    const fs::path study = folder.path() / "study";
-    fs::copy(fs::path(PENDULAR_SOURCE_DIR) / "examples/hidden-effect", study);
-    std::string text = content_of(study / "study.toml");
-    const std::string none = "effects = []";
-    text.replace(text.find(none), none.size(), "effects = [\"wall-friction\"]");
-    folder.write("study/study.toml", text);
-    return study;
-}
-
 std::string_view decision_on(const StudyDiagnosis& d, const std::string& effect) {
     return to_string(d.diagnosis.decision_on(finding_of(d.diagnosis, *d.models, effect)));
 }
@@ -250,7 +239,7 @@ std::string_view decision_on(const StudyDiagnosis& d, const std::string& effect)
 // Advice that, once followed, settles what it promises to settle.
 TEST(NextStepsFollowed, RuleOutAnEffectByAMeasurementOfTheErrorThatTheyName) {
     const TemporaryFolder folder;
-    const fs::path study = with_its_effect(folder);
+    const fs::path study = copy_with_its_effect(folder);
     const Session session(study, {.fidelity = fidelity_named("quick")});
     const StudyDiagnosis before = session.diagnose();
     ASSERT_EQ(before.diagnosis.verdict, Verdict::inconclusive);
@@ -275,18 +264,11 @@ TEST(NextStepsFollowed, RuleOutAnEffectByAMeasurementOfTheErrorThatTheyName) {
 
 TEST(NextStepsFollowed, BeginWithARecordingThatStandsOut) {
     const TemporaryFolder folder;
-    const fs::path study = with_its_effect(folder);
-    std::istringstream lines(content_of(study / "dry_2.csv"));
-    std::string line, text;
-    while (std::getline(lines, line)) {
-        const std::regex torque("^([^,]*),([^,]*),");
-        std::smatch cells;
-        if (std::regex_search(line, cells, torque) && cells[2].str()[0] != 'T')
-            line = fmt::format("{},{:.6g},{}", cells[1].str(), 1.1 * std::stod(cells[2]),
-                               cells.suffix().str());
-        text += line + "\n";
-    }
-    folder.write("study/dry_2.csv", text);
+    const fs::path study = copy_with_its_effect(folder);
+    folder.write("study/dry_2.csv", with_cells(content_of(study / "dry_2.csv"), [](auto& cells) {
+                     cells[torque_column] =
+                         fmt::format("{:.6g}", 1.1 * std::stod(cells[torque_column]));
+                 }));
     const Session session(study, {.fidelity = fidelity_named("quick")});
     const StudyDiagnosis d = session.diagnose();
     EXPECT_THAT(texts_of(next_steps(d, {}, session.resolved(), "beads")).front(),

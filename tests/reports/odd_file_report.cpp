@@ -2,35 +2,21 @@
 #include "reports/odd_file_report.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
-
-#include "tests/support/data_support.h"
-#include "tests/support/golden.h"
+#include "tests/support/changed_example.h"
 #include "workflow/session.h"
 
 namespace pendular::odd_file_report_test {
 
 namespace fs = std::filesystem;
 
-/// Text of a recording with a larger gap, which is its fourth column [mm].
+/// Text of a recording with a larger gap [mm].
 std::string shifted(const std::string& recording, double shift) {
-    std::istringstream lines(recording);
-    std::string line, text;
-    std::getline(lines, text);
-    text += '\n';
-    while (std::getline(lines, line)) {
-        std::vector<std::string> cells;
-        std::istringstream row(line);
-        for (std::string cell; std::getline(row, cell, ',');)
-            cells.push_back(cell);
-        cells.at(3) = fmt::format("{:.6g}", std::stod(cells.at(3)) + shift);
-        text += fmt::format("{}\n", fmt::join(cells, ","));
-    }
-    return text;
+    return with_cells(recording, [shift](std::vector<std::string>& cells) {
+        cells.at(gap_column) = fmt::format("{:.6g}", std::stod(cells.at(gap_column)) + shift);
+    });
 }
 
 StudyDiagnosis diagnosis_of(const fs::path& study) {
@@ -41,8 +27,7 @@ StudyDiagnosis diagnosis_of(const fs::path& study) {
 // differ; one that is wrong by 2.7 % is worth a look.
 TEST(OddFileReport, NamesTheRecordingWithAShiftedGapBesideAMissingEffect) {
     const TemporaryFolder folder;
-    const fs::path study = folder.path() / "study";
-    fs::copy(fs::path(PENDULAR_SOURCE_DIR) / "examples/hidden-effect", study);
+    const fs::path study = copy_of_example(folder);
     const std::string recording = content_of(study / "wet_0.03_1.csv");
     EXPECT_EQ(odd_file_line(diagnosis_of(study)), "");
     folder.write("study/wet_0.03_1.csv", shifted(recording, 0.12));

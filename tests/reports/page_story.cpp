@@ -2,16 +2,12 @@
 // numbers.
 #include "reports/page/page_story.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "reports/next_steps.h"
 #include "reports/page/page_data.h"
-#include "tests/support/data_support.h"
+#include "tests/support/changed_example.h"
 #include "workflow/session.h"
 #include "workflow/switched_models.h"
 
@@ -29,40 +25,20 @@ TEST(PageText, HasTheSignsOfPrint) {
     }
 }
 
-/// Text of a recording of which the torque of one interval is too high by this factor.
-std::string raised(const std::string& recording, const std::string& interval, double factor) {
-    std::istringstream lines(recording);
-    std::string line, text;
-    std::getline(lines, text);
-    text += '\n';
-    while (std::getline(lines, line)) {
-        std::vector<std::string> cells;
-        std::istringstream row(line);
-        for (std::string cell; std::getline(row, cell, ',');)
-            cells.push_back(cell);
-        if (cells.at(5) == interval)
-            cells.at(1) = fmt::format("{:.6g}", factor * std::stod(cells[1]));
-        text += fmt::format("{}\n", fmt::join(cells, ","));
-    }
-    return text;
-}
-
 TEST(PageStory, ShowsTheReadingsWithTheErrorOfASuspectMeasurementCorrected) {
     const TemporaryFolder folder;
-    const fs::path study = folder.path() / "study";
-    fs::copy(fs::path(PENDULAR_SOURCE_DIR) / "examples/hidden-effect", study);
-    std::string text = content_of(study / "study.toml");
-    const std::string none = "effects = []";
-    ASSERT_NE(text.find(none), std::string::npos);
-    folder.write("study/study.toml",
-                 text.replace(text.find(none), none.size(), "effects = [\"wall-friction\"]"));
+    const fs::path study = copy_with_its_effect(folder);
     const Session whole(study, {.fidelity = fidelity_named("quick")});
     const StudyDiagnosis complete = whole.diagnose();
     const SwitchedModels switched =
         switched_models(whole.resolved(), complete, whole.options(), {.most = 1});
     EXPECT_FALSE(page_story({}, complete, switched).corrected);
+    const auto third_too_high = [](std::vector<std::string>& cells) {
+        if (cells.at(interval_column) == "3")
+            cells[torque_column] = fmt::format("{:.6g}", 1.08 * std::stod(cells[torque_column]));
+    };
     for (const char* const file : {"study/dry_1.csv", "study/dry_2.csv"})
-        folder.write(file, raised(content_of(folder.path() / file), "3", 1.08));
+        folder.write(file, with_cells(content_of(folder.path() / file), third_too_high));
     const StudyDiagnosis diagnosis =
         Session(study, {.fidelity = fidelity_named("quick")}).diagnose();
     const auto corrected = page_story({}, diagnosis, switched).corrected;
