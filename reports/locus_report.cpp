@@ -250,7 +250,8 @@ void add_wall(const WallLocus& wall, std::vector<std::string>& lines) {
         "state it as a direct measurement:");
     for (const std::string& line :
          {std::string("[[direct]]"), std::string("effect = \"wall-friction\""),
-          fmt::format("value = {}", direct.value),
+          fmt::format("value = {}   # an upper limit above about 0.15: free beads roll there",
+                      direct.value),
           fmt::format("error = {}{}", direct.error, direct.remark)})
         lines.push_back("    " + line);
 }

@@ -69,12 +69,22 @@ def strip(cell, state, at_lid):
     return (1 - state["stress_ratio [1]"] / at_lid) * cell.width / 2
 
 
+def print_means(strips, what):
+    """Prints the mean over the states of each cell, with its standard error."""
+    for name, all_of_it in sorted(strips.items()):
+        mean = sum(all_of_it) / len(all_of_it)
+        spread = math.sqrt(sum((x - mean) ** 2 for x in all_of_it) / max(1, len(all_of_it) - 1))
+        error = spread / math.sqrt(len(all_of_it))
+        print(f"{name:36} {what} {mean:.2f} +- {error:.2f} ({len(all_of_it)} states)")
+
+
 def across():
     """Prints stress ratio and solid fraction over the distance from the side walls, by diameters, and
     the strip that the first four lack in strength against the rest."""
     runs = defaultdict(lambda: defaultdict(list))
     for row in rows_of("across.csv"):
         runs[key_of(row)][int(float(row["distance [a]"]))].append(numbers(row))
+    lost_in = defaultdict(list)
     for key, places in runs.items():
         ratios, fractions = [], []
         for _, strips in sorted(places.items()):
@@ -86,6 +96,8 @@ def across():
         print(f"{key}: stress ratio", *(f"{x:.3f}" for x in ratios))
         print("   solid fraction", *(f"{x:.3f}" for x in fractions))
         print(f"   strip {lost:.2f}")
+        lost_in[key[0]].append(lost)
+    print_means(lost_in, "strip lost across")
 
 
 def summary(states, profiles):
@@ -96,7 +108,7 @@ def summary(states, profiles):
     strips = defaultdict(list)
     for key, state in sorted(states.items()):
         cell = cell_named(key[0])
-        if cell.rolling:  # theory.py has the stress ratios of free grains
+        if cell.rolling or cell.deviation:  # theory.py has the stress ratios of equal, free grains
             continue
         gap, height = state["gap [a]"], state["sheared_height [a]"]
         walls = mobilised(profiles[key], height, gap) if cell.wall_friction else 0
@@ -108,10 +120,7 @@ def summary(states, profiles):
             f"{state['stress_ratio_stderr [1]'] / at_lid * cell.width / 2:.2f}"
         )
         strips[key[0]].append(strip(cell, state, at_lid))
-    for name, all_of_it in strips.items():
-        mean = sum(all_of_it) / len(all_of_it)
-        spread = math.sqrt(sum((x - mean) ** 2 for x in all_of_it) / max(1, len(all_of_it) - 1))
-        print(f"{name:32} strip {mean:.2f} +- {spread / math.sqrt(len(all_of_it)):.2f}")
+    print_means(strips, "strip")
 
 
 def layers(profile):
@@ -128,6 +137,11 @@ def layers(profile):
 def sliding_friction(cell):
     """That of the walls, with grains that do not roll as freely all of the wall friction."""
     return cell.wall_friction if cell.rolling else theory.sliding_friction(cell.wall_friction)
+
+
+def share_along(cell, layer):
+    """Friction of the walls along the flow, over that of sliding grains."""
+    return layer["wall_drag [s22]"] / layer["wall_pressure [s22]"] / sliding_friction(cell)
 
 
 RANGES = (0, 1.5, 3, 4.5, 6)  # of velocity over rate [a]
@@ -150,8 +164,7 @@ def walls(states, profiles):
         for key in keys:
             for p, length, inertial in layers(profiles[key]):
                 place = sum(length >= limit for limit in RANGES)
-                share = p["wall_drag [s22]"] / p["wall_pressure [s22]"] / sliding_friction(cell)
-                seen[place].append(share)
+                seen[place].append(share_along(cell, p))
                 law[place].append(theory.mobilised_share(length, inertial))
         shares = "; ".join(
             f"{sum(seen[k]) / len(seen[k]):.2f} {sum(law[k]) / len(law[k]):.2f}" for k in sorted(seen)
@@ -170,6 +183,12 @@ def walls(states, profiles):
 def points(file, rows):
     file.write_text("\n".join(" ".join(f"{x:.5g}" for x in row) for row in rows) + "\n")
     return file
+
+
+def two_panels(out, left, right):
+    """Draws two plots side by side. `left`, `right`: commands of gnuplot."""
+    frame = f"set terminal pngcairo size 1100,480 font 'sans,11'\nset output '{out}'\nset multiplot layout 1,2\n"
+    subprocess.run(["gnuplot"], input=f"{frame}{left}\n{right}\n", text=True, check=True)
 
 
 def draw(states, profiles, stress, inertial_number, height, out):
@@ -196,20 +215,17 @@ def draw(states, profiles, stress, inertial_number, height, out):
         drags.append(f"'{file}' with points pt 7 lc {colour} notitle")
         file = points(folder / f"r{colour}", zip(deep, ratio))
         drags.append(f"'{file}' with lines lc {colour} notitle")
-    script = f"""\
-set terminal pngcairo size 1100,480 font 'sans,11'
-set output '{out}'
-set multiplot layout 1,2
-set xlabel 'depth under the lid [diameters]'
+    two_panels(
+        out,
+        f"""set xlabel 'depth under the lid [diameters]'
 set xrange [0:{height}]
 set ylabel 'velocity/velocity of the lid'
 set yrange [0:1]
-plot {', '.join(velocities)}
-set ylabel 'shear stress/normal stress'
+plot {', '.join(velocities)}""",
+        f"""set ylabel 'shear stress/normal stress'
 set yrange [0.2:0.36]
-plot {theory.QUASI_STATIC} with lines dt 2 lc 'gray' title 'quasi-static', {', '.join(drags)}
-"""
-    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+plot {theory.QUASI_STATIC} with lines dt 2 lc 'gray' title 'quasi-static', {', '.join(drags)}""",
+    )
 
 
 def draw_walls(states, profiles, out):
@@ -224,9 +240,7 @@ def draw_walls(states, profiles, out):
         fitted = key[0].startswith("walls") and cell.height == 12 and key[3] == 1
         kind = "rolling" if cell.rolling else "fitted" if fitted else "other"
         for p, length, inertial in layers(profiles[key]):
-            unit = length / math.atanh(theory.mobilised_share(length, inertial))
-            share = p["wall_drag [s22]"] / p["wall_pressure [s22]"] / sliding_friction(cell)
-            rows[kind].append((length / unit, share))
+            rows[kind].append((length / theory.sliding_length(inertial), share_along(cell, p)))
     titles = {"other": "other cells and samples", "fitted": "cells of the fit", "rolling": "grains with rolling resistance"}
     shares = [
         f"'{points(folder / kind, rows[kind])}' with points pt 7 ps 0.5 lc {colour} title '{title}'"
@@ -252,24 +266,21 @@ def draw_walls(states, profiles, out):
             line.append((above, stress))
         file = points(folder / f"l{colour}", line)
         stresses.append(f"'{file}' with lines lc {colour} notitle")
-    script = f"""\
-set terminal pngcairo size 1100,480 font 'sans,11'
-set output '{out}'
-set multiplot layout 1,2
-set xlabel 'velocity/(shear rate x sliding length)'
+    two_panels(
+        out,
+        f"""set xlabel 'velocity/(shear rate x sliding length)'
 set ylabel 'friction along the flow/that of sliding grains'
 set xrange [0:3]
 set yrange [-0.1:1.3]
 set key bottom right
-plot {', '.join(shares)}, tanh(x) with lines lw 2 lc 'black' title 'tanh'
-set xlabel 'depth under the lid [diameters]'
+plot {', '.join(shares)}, tanh(x) with lines lw 2 lc 'black' title 'tanh'""",
+        f"""set xlabel 'depth under the lid [diameters]'
 set ylabel 'shear stress/load'
 set xrange [0:12]
 set yrange [0.24:0.38]
 set key top right
-plot {', '.join(stresses)}
-"""
-    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+plot {', '.join(stresses)}""",
+    )
 
 
 def main():

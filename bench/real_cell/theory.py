@@ -81,8 +81,12 @@ def sliding_friction(wall_friction):
     return wall_friction / (1 + (wall_friction / 0.187) ** 3.1) ** (1 / 3.1)
 
 
+def sliding_length(inertial_number):
+    """Velocity over shear rate, in diameters, at which fluctuations cancel a quarter of the friction."""
+    return 3.8 * (min(max(inertial_number, 0.001), 0.15) / 0.03) ** -0.16
+
+
 def mobilised_share(velocity_over_rate, inertial_number):
-    """Share of it that acts along the flow, as data/wall_mobilisation.h has it: constants of both from
-    layers of the cells 24 wide and 12 high, walls 0.05, 0.15, 0.3, first samples."""
-    reduced = min(max(inertial_number, 0.001), 0.15) / 0.03
-    return math.tanh(velocity_over_rate / (3.8 * reduced**-0.16))
+    """Share of it that acts along the flow, as sim/effects/wall_mobilisation.h has it: constants of both
+    from layers of the cells 24 wide and 12 high, walls 0.05, 0.15, 0.3, first samples."""
+    return math.tanh(velocity_over_rate / sliding_length(inertial_number))

@@ -203,7 +203,8 @@ std::string few_beads_text(const Remark& note) {
         said.push_back(fmt::format(
             "the side walls are {:.2g} bead diameters apart: beads beside a flat wall lie in "
             "layers that shear easily, so that the torque is about {:.1f} % smaller than in the "
-            "model, and the fitted friction too small; the effect wall-layers describes this",
+            "model (half as much where sizes differ or beads resist rolling), and the fitted "
+            "friction too small; the effect wall-layers describes this",
             note.size, 100 * note.relative));
     if (note.relative > 0 && std::isfinite(note.limit))
         said.push_back(walls_that_gather_shear(note.limit));

@@ -1,15 +1,15 @@
 #include <cmath>
-#include <numbers>
 
-#include "data/wall_mobilisation.h"
+#include "data/grains.h"
 #include "sim/catalogue/effect.h"
+#include "sim/effects/wall_mobilisation.h"
 
 namespace pendular {
 namespace {
 
 /// s33/s22 = 1 - N2 of dry flow, 33 being normal to the side walls. N2 = 0.063 +- 0.006 in the run
 /// of friction 0.09, I = 0.003 and 1000 beads of sim/atlas/atlas.csv; 0.05 to 0.08 at frictions
-/// 0.05 to 0.15.
+/// 0.05 to 0.15. Cells have 0.85 in the mean (data/sheared_layer.cpp), less in creeping beds.
 constexpr double lateral_stress_ratio = 1 - 0.063;
 
 double square(double x) {
@@ -27,14 +27,13 @@ double arm(const CellState& cell) {
            (cell.outer_radius + cell.inner_radius);
 }
 
-/// I = rate sqrt(m/(a s22)) with m = pi/6 density a^3 [1]
 double inertial_number(const CellState& cell) {
     // A search for the true state may ask for a force of no flow.
     if (!(cell.normal_force > 0)) return 0;
     const double rate = std::abs(cell.angular_velocity) * (cell.inner_radius + cell.outer_radius) /
                         (2 * cell.height);
-    return rate * cell.diameter *
-           std::sqrt(std::numbers::pi / 6 * cell.density * cell.area() / cell.normal_force);
+    return pendular::inertial_number(rate, cell.normal_force / cell.area(),
+                                     {.diameter = cell.diameter, .density = cell.density});
 }
 
 }  // namespace
@@ -56,6 +55,11 @@ double inertial_number(const CellState& cell) {
 /// with the depth z under the lid. From the lid to mid-height F falls by exp(-c k H/w), so that the
 /// normal force at the lid is F_mid exp(c k H/w).
 ///
+/// The coefficient is what beads show that slide along the walls. Free beads roll on rough walls
+/// before they slide: those of friction 0.12 show 0.050, 0.132 and 0.175 of walls of friction 0.05,
+/// 0.15 and 0.3 (bench/real_cell). Beads that are glued to a sled cannot roll, so that its value is
+/// an upper limit there.
+///
 /// The bed is taken to be sheared evenly, where both shares follow from its height alone. Where
 /// shear gathers under the lid, `shear-localisation` holds.
 Effect wall_friction() {
@@ -68,6 +72,9 @@ Effect wall_friction() {
             "k = coefficient x 0.94, the lateral stress ratio s33/s22 of dry flow; w = Re - "
             "Ri; F_N and T at "
             "mid-height\n"
+            "coefficient: of beads that slide. Free beads roll on rough walls: of beads of "
+            "friction 0.12, a wall of 0.15\n"
+            "shows 0.13, one of 0.3 no more than 0.18.\n"
             "M: share of the friction that acts along the flow, mean over the upper half of the "
             "bed: 0.97 at a height\n"
             "of 12 diameters and I = 0.03, 0.82 at 6 diameters (docs/explanation/cell.md). Where "

@@ -17,6 +17,8 @@ Effect wall_layers() {
             "torque",
         .equation =
             "T_shown = T (1 - 2 x 0.57 a/w)      w = Re - Ri, from 10 a on; a: grain diameter\n"
+            "For equal beads that roll freely; half as much where sizes differ by 10 % or beads "
+            "resist rolling.\n"
             "(docs/explanation/cell.md). A diagnosis tries it only where shear-localisation is "
             "tried: where\n"
             "wall_friction is stated in [cell] or the gap creeps.",

@@ -225,6 +225,29 @@ TEST(UnevenShear, IsToldWhereTheStatedWallsGatherTheShear) {
                 IsEmpty());
 }
 
+TEST(FewBeads, SaysFromWhichFrictionOnUnknownWallsGatherTheShear) {
+    const auto noted = [](const std::string& of_cell, double normal_stress) {
+        const OneRecording recording(0, of_cell);
+        Study study = read_study(recording.folder.path());
+        study.grains.diameter = 1e-3;  // walls 24 diameters apart
+        Reading reading = recording.measured().readings.at(0);
+        reading.value(0) *= normal_stress / reading.condition.normal_stress;
+        reading.condition.normal_stress = normal_stress;
+        return few_beads(study, {reading});
+    };
+    const auto unknown = noted("", 3000);
+    ASSERT_THAT(unknown, SizeIs(1));
+    EXPECT_GT(unknown[0].limit, 0);
+    EXPECT_LT(unknown[0].limit, 0.5);
+    const auto heavy = noted("", 20);
+    ASSERT_THAT(heavy, SizeIs(1));
+    EXPECT_EQ(heavy[0].limit, 0);  // the weight alone
+    expect_told({text_of(unknown[0]), text_of(heavy[0])});
+    const auto stated = noted("wall_friction = 0.1\n", 3000);
+    ASSERT_THAT(stated, SizeIs(1));
+    EXPECT_TRUE(std::isinf(stated[0].limit));
+}
+
 TEST(UnevenShear, IsThatOfTheWeightBetweenSmoothWalls) {
     const OneRecording light(0, "wall_friction = 0\n");
     const Study study = read_study(light.folder.path());

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "data/wall_mobilisation.h"
+#include "sim/effects/wall_mobilisation.h"
 #include "tests/support/golden.h"
 
 namespace sim_instrument_test {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "data/wall_mobilisation.h"
 #include "sim/catalogue/effect.h"
 #include "sim/catalogue/instrument.h"
+#include "sim/effects/wall_mobilisation.h"
 
 namespace pendular::sim_wall_friction_test {
 
@@ -122,10 +122,36 @@ TEST(WallFriction, CarriesAsMuchLoadAsSimulatedWalls) {
     }
 }
 
+/// Drag on the upper half of an evenly sheared bed, over the load: what the effect adds to the
+/// torque over arm and load.
+double added_drag(double friction, double height, double width, double inertial_number) {
+    return mobilised_in_upper_half(height, inertial_number) * 0.937 * friction * height / width;
+}
+
+TEST(WallFriction, DragsAsSimulatedWallsThatShearEvenly) {
+    // At wall friction 0.05 and this speed, 0.9 of the bed is sheared.
+    const CellState truth = some_cell(12, 24);
+    const double arm =
+        (truth.inner_radius * truth.inner_radius + truth.outer_radius * truth.outer_radius) /
+        (truth.inner_radius + truth.outer_radius);
+    EXPECT_NEAR((shown(truth, 0.05).torque - truth.torque) / truth.normal_force / arm /
+                    added_drag(0.05, 12, 24, inertial_number(truth)),
+                1, 1e-9);
+    double drag = 0, states = 0;
+    for (const Layer& layer : simulated_layers("walls 0.05, height 12")) {
+        if (layer.inertial_number != 0.06) continue;
+        states += layer.height < 1;  // the first layer above the base
+        if (layer.height > 6) drag += 2 * layer.drag / 24;
+    }
+    ASSERT_EQ(states, 3);  // loads
+    EXPECT_NEAR(drag / states / added_drag(0.05, 12, 24, 0.06), 1, 0.06);
+}
+
 TEST(MobilisedShare, IsThatOfSimulatedWallsFromLidToCreepingBed) {
-    // Narrow cells, from which nothing was taken; of a wall friction of 0.15 beads of friction 0.12
-    // that slide show 0.13 (the cells that are 24 diameters wide).
-    const auto layers = simulated_layers("narrow, walls 0.15, height 12");
+    // The second samples of narrow cells: from the first, the dependence on the inertial number was
+    // seen. Of a wall friction of 0.15 beads of friction 0.12 that slide show 0.13 (cells 24 wide).
+    auto layers = simulated_layers("narrow, walls 0.15, height 12");
+    std::erase_if(layers, [](const Layer& layer) { return layer.replicate != 2; });
     double by_length[4] = {}, expected[4] = {};
     int number[4] = {};
     for (std::size_t k = 1; k + 1 < layers.size(); ++k) {
