@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/page/page_content.h"
-#include "reports/page/page_sections.h"
+#include "reports/page/page_texts.h"
 
 namespace pendular {
 

@@ -26,8 +26,8 @@ inline double sliding_length(double inertial_number) {
 }
 
 /// Share of the friction across the flow, by which walls carry load, in that of the walls [1], on
-/// which grains that roll show less. In the same cells 0.05, 0.08 and 0.09 at wall frictions 0.05, 0.15 and 0.3, at any depth:
-/// grains do not move down on average, and by symmetry it would be 0.
+/// which grains that roll show less. In the same cells 0.05, 0.08 and 0.09 at wall frictions 0.05,
+/// 0.15 and 0.3, at any depth: grains do not move down on average, and by symmetry it would be 0.
 constexpr double carrying_share = 0.09;
 
 /// Share of the friction of a sliding grain that acts along the flow [1], at a velocity over shear

@@ -1,6 +1,6 @@
-#include <nlohmann/json.hpp>
+#include "reports/page/page_texts.h"
 
-#include "reports/page/page_sections.h"
+#include <nlohmann/json.hpp>
 
 namespace pendular {
 
