@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string_view>
 
 #include "reports/with_error.h"
 
@@ -245,13 +246,18 @@ void add_wall(const WallLocus& wall, std::vector<std::string>& lines) {
             "  The best line meets the axis below zero by more than its error, as no grains do: "
             "repeat points that lie apart.");
     const DirectText direct = direct_text(wall);
+    // Above it, beads that can turn roll along a wall (docs/explanation/cell.md).
+    constexpr double rolling = 0.15;
+    const std::string_view limit =
+        wall.line().slope > rolling
+            ? "   # an upper limit: above about 0.15, free beads roll along walls"
+            : "";
     lines.emplace_back(
         "  Where the side walls of the cell are of this material, study.toml may "
         "state it as a direct measurement:");
     for (const std::string& line :
          {std::string("[[direct]]"), std::string("effect = \"wall-friction\""),
-          fmt::format("value = {}   # an upper limit above about 0.15: free beads roll there",
-                      direct.value),
+          fmt::format("value = {}{}", direct.value, limit),
           fmt::format("error = {}{}", direct.error, direct.remark)})
         lines.push_back("    " + line);
 }
