@@ -46,9 +46,15 @@ bool begins(const Steps& file, const Steps& longer) {
                       });
 }
 
+/// Last line of the last step of a file that gave a reading; 0 where none did.
+int last_line_of_steps(const FileContent& content) {
+    if (content.steps.empty()) return 0;
+    return std::max(content.steps.back()->last_line, content.steps.back()->origin.line);
+}
+
 /// Rows left out after the last step of a file that gave a reading.
 LeftOut left_out_after(const FileContent& content) {
-    const int last = std::max(content.steps.back()->last_line, content.steps.back()->origin.line);
+    const int last = last_line_of_steps(content);
     LeftOut rest;
     // The begin of a row shows no further step, nor do means below the table.
     std::ranges::copy_if(content.left_out, std::back_inserter(rest), [&](const Remark* rows) {
@@ -80,8 +86,13 @@ std::optional<Remark> cut_off(const FileContent& file, const FileContent& longer
 
 /// Remark on a file that ends within a row; empty for others.
 std::optional<Remark> cut_within_row(const std::string& file, const FileContent& content) {
-    const auto cut = std::ranges::find(content.left_out, Kind::cut_short,
-                                       [](const Remark* rows) { return rows->kind; });
+    // Among other rows, kept or left out, a short row is no sign of an end.
+    int last = last_line_of_steps(content);
+    for (const Remark* rows : content.left_out)
+        if (rows->kind != Kind::cut_short) last = std::max(last, rows->last_line());
+    const auto cut = std::ranges::find_if(content.left_out, [&](const Remark* rows) {
+        return rows->kind == Kind::cut_short && rows->first_line() > last;
+    });
     if (cut == content.left_out.end()) return std::nullopt;
     return Remark{.kind = Kind::ends_early, .files = {file}, .lines = (*cut)->lines};
 }

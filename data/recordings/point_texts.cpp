@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "data/files/folded_name.h"
 #include "data/quantities/number.h"
@@ -64,18 +65,45 @@ bool names_tests(std::string_view name) {
                                [&](std::string_view each) { return folded_name(each) == wanted; });
 }
 
-bool tells_tests_apart(const std::vector<std::string>& texts) {
-    std::map<std::string, int> rows;
-    for (const std::string& text : texts)
-        ++rows[text];
-    return rows.size() > 1 &&
-           std::ranges::all_of(rows, [](const auto& each) { return each.second >= 2; });
+/// Load of each row, a normal stress or force in the unit of its column; empty if no column or a
+/// cell states none.
+std::vector<double> loads_of(const Block& block) {
+    const auto column = std::ranges::find_if(block.columns, [](const BlockColumn& each) {
+        return each.quantity == "normal_stress" || each.quantity == "normal_force";
+    });
+    if (column == block.columns.end()) return {};
+    std::vector<double> loads;
+    for (const Row& row : block.table.rows) {
+        std::string text = row.cells[static_cast<std::size_t>(column - block.columns.begin())].text;
+        std::ranges::replace(text, ',', '.');
+        const auto load = parse_number(text);
+        if (!load) return {};
+        loads.push_back(*load);
+    }
+    return loads;
+}
+
+/// Whether each text has points of failure at two loads at least, through which a line can go: a
+/// number of each filling or load has not.
+bool tells_tests_apart(const std::vector<std::string>& texts, const std::vector<double>& loads,
+                       const std::vector<bool>& preshears) {
+    constexpr double other_load = 0.05;  // relative: loads that are set differ by more
+    std::map<std::string, std::pair<double, double>> range;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (loads.empty() || (!preshears.empty() && preshears[i])) continue;
+        auto& [least, most] = range.try_emplace(texts[i], loads[i], loads[i]).first->second;
+        least = std::min(least, loads[i]), most = std::max(most, loads[i]);
+    }
+    return range.size() > 1 && std::ranges::all_of(range, [](const auto& each) {
+               return each.second.second - each.second.first > other_load * each.second.second;
+           });
 }
 
 }  // namespace
 
 PointTexts texts_of_points(const Block& block) {
     PointTexts found;
+    std::vector<std::pair<std::string, std::vector<std::string>>> others;
     for (std::size_t i = 0; i < block.columns.size(); ++i) {
         if (!block.columns[i].quantity.empty()) continue;
         const std::vector<std::string> texts = texts_in(block.table, i);
@@ -84,11 +112,15 @@ PointTexts texts_of_points(const Block& block) {
         if (preshears > 0 && preshears < std::ssize(texts) && found.preshears.empty())
             for (const std::string& text : texts)
                 found.preshears.push_back(names_preshear(text));
-        else if (found.tests.empty() &&
-                 ((names_tests(block.columns[i].name) && tells_tests_apart(texts)) ||
-                  (!any_number(texts) && stands_in_groups(texts))))
-            found.tests = texts;
+        else
+            others.emplace_back(block.columns[i].name, texts);
     }
+    const std::vector<double> loads = loads_of(block);
+    for (const auto& [name, texts] : others)
+        if (found.tests.empty() &&
+            ((names_tests(name) && tells_tests_apart(texts, loads, found.preshears)) ||
+             (!any_number(texts) && stands_in_groups(texts))))
+            found.tests = texts;
     return found;
 }
 

@@ -18,8 +18,8 @@ struct PointTexts {
 };
 
 /// Returns what the texts of a table of points say. A column tells tests apart if its name is one
-/// of those that people give to materials and samples, and at least two rows have each of its texts
-/// or numbers, or if each of its texts stands in three rows in succession.
+/// of those that people give to materials and samples, and each of its texts or numbers stands at
+/// two loads at least, preshears aside, or if each of its texts stands in three rows in succession.
 PointTexts texts_of_points(const Block& table);
 
 }  // namespace pendular

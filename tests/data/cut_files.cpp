@@ -55,11 +55,22 @@ TEST_P(CutFile, KeepsAWholeRowWithoutLineEnd) {
 
 TEST(CutFileOfNumbers, KeepsASmallerWholeNumber) {
     const TemporaryFolder folder;
-    std::string text = "Normal stress [Pa],Shear stress [Pa],Bulk density [kg/m^3]\n";
+    std::string text = "Time [s],Normal stress [Pa],Shear stress [Pa],Bulk density [kg/m^3]\n";
     for (int i = 1; i <= 12; ++i)
-        text += fmt::format("{},{},1480\n", 500 * i, 300 * i);
-    EXPECT_THAT(read_blocks(folder.write("t.csv", text + "7000,4100,990")).skipped, IsEmpty());
-    EXPECT_THAT(read_blocks(folder.write("t.csv", text + "7000,4100,99")).skipped, SizeIs(1));
+        text += fmt::format("{},{},{},1480\n", i, 500 * i, 300 * i);
+    EXPECT_THAT(read_blocks(folder.write("t.csv", text + "13,7000,4100,990")).skipped, IsEmpty());
+    EXPECT_THAT(read_blocks(folder.write("t.csv", text + "13,7000,4100,99")).skipped, SizeIs(1));
+}
+
+/// A table without time is typed: its last point may be the smallest, its last line have no end.
+TEST(CutFileOfNumbers, KeepsTheLastPointOfATypedTable) {
+    const TemporaryFolder folder;
+    std::string text = "Normal stress [Pa],Shear stress [Pa]\n";
+    for (int i = 12; i >= 1; --i)
+        text += fmt::format("{},{}\n", 1000 * i, 600 * i + 1000);
+    const BlockFile file = read_blocks(folder.write("t.csv", text + "150,95"));
+    EXPECT_THAT(file.skipped, IsEmpty());
+    EXPECT_THAT(file.blocks.front().table.rows, SizeIs(13));
 }
 
 /// A table of few rows is typed by people, each of whose rows counts.
@@ -153,6 +164,18 @@ TEST(CutRecording, IsSaidByTheStudy) {
     std::vector<Remark> notes = all.notes();
     std::erase_if(notes, [](const Remark& each) { return each.kind != Remark::Kind::ends_early; });
     expect_told(texts(notes));
+}
+
+/// A short row among the others is left out; it is not the end of the file.
+TEST(CutRecording, EndsBehindItsLastStepAlone) {
+    const TemporaryFolder folder;
+    std::string text = table(true, 60);
+    text.insert(text.find("30;5,01"), "30;5,01;6,2\n");
+    folder.write("t.csv", text);
+    folder.write("study.toml",
+                 grains_table + cell_table("10 g") + "[[recording]]\nfile = \"t.csv\"\n");
+    for (const Remark& each : read_measurements(read_study(folder.path())).notes())
+        EXPECT_NE(each.kind, Remark::Kind::ends_early);
 }
 
 }  // namespace pendular::data_cut_files_test

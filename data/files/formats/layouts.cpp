@@ -317,10 +317,10 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
     file.hidden = text.hidden;
     const std::vector<std::string_view> lines = split_lines(text.decoded.text);
     read_tables({file.file, lines, of_sheet}, format, file);
-    if (open_end) leave_out_cut_row(file, static_cast<int>(lines.size()));
     if (shape_of_text == TextShape::blanks) file.delimiter = ' ';
     if (shape_of_text == TextShape::bars) file.delimiter = '|';
     use_named_columns(file, format);
+    if (open_end) leave_out_cut_row(file, static_cast<int>(lines.size()));
     if (std::ranges::all_of(file.blocks, [](const Block& b) { return b.table.rows.empty(); }))
         throw InputError({file.file},
                          "no rows of numbers were found; is this the export of the raw data?");

@@ -1,6 +1,7 @@
 #include "data/files/formats/preamble.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <string_view>
 
 #include "data/files/column_names.h"
+#include "data/files/folded_name.h"
 #include "data/files/formats/stacked_rows.h"
 #include "data/files/header_cell.h"
 #include "data/files/missing_mark.h"
@@ -157,16 +159,38 @@ std::size_t first_filled_cell(const Row& row) {
     return static_cast<std::size_t>(first - row.cells.begin());
 }
 
+bool is_number(std::string_view cell) {
+    return parse_number(cell) || has_decimal_comma(cell);
+}
+
+/// Whether a word is one of those for a mean, a scatter or the like of the column below which it
+/// stands, in one of the five languages.
+bool names_statistic(std::string_view word) {
+    constexpr std::array<std::string_view, 21> begins = {
+        "mean",  "mittel",   "average", "durchschnitt", "std",    "stdev",   "stdabw",
+        "sd",    "standard", "min",     "max",          "median", "moyenne", "écart",
+        "media", "promedio", "desv",    "dev",          "summe",  "sum",     "total"};
+    const std::string folded = folded_name(word);
+    return std::ranges::any_of(
+        begins, [&](std::string_view each) { return folded.starts_with(folded_name(each)); });
+}
+
 /// Whether a line is no row of a table whose rows have a first number in a column: it has a word
-/// there, as in "Mean;20,1;5,0", or alone, as in "Step 2: 8 kPa".
+/// there, as in "Mean;20,1;5,0", or alone, as in "Step 2: 8 kPa". Where most of its cells are
+/// numbers, only a word for a statistic makes it none: "OL" or a number that cannot be read is a
+/// fault of a row.
 bool stands_for_no_row(const Row& row, std::size_t column) {
     if (!begins_with_word(row)) return false;
     const std::size_t first = first_filled_cell(row);
+    const auto numbers =
+        std::ranges::count_if(row.cells, [](const Cell& cell) { return is_number(cell.text); });
+    if (2 * numbers >= std::ssize(row.cells) && !names_statistic(row.cells[first].text))
+        return false;
     const bool alone =
         std::ranges::all_of(row.cells.begin() + static_cast<std::ptrdiff_t>(first) + 1,
                             row.cells.end(), [](const Cell& cell) { return cell.text.empty(); });
     return alone || first == column || column >= row.cells.size() ||
-           !(parse_number(row.cells[column].text) || has_decimal_comma(row.cells[column].text));
+           !is_number(row.cells[column].text);
 }
 
 /// Whether a line may begin with a word, told without splitting it.
@@ -187,7 +211,7 @@ struct LinesOfWords {
 bool may_be_names(const Row& row) {
     std::size_t texts = 0;
     for (const Cell& cell : row.cells) {
-        if (parse_number(cell.text) || has_decimal_comma(cell.text)) return false;
+        if (is_number(cell.text)) return false;
         texts += !cell.text.empty();
     }
     return texts > 1;

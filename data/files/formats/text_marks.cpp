@@ -91,11 +91,13 @@ void unify_signs(std::string& text) {
     for (const std::string_view blank : {"\u00a0", "\u202f"})
         blank_out(text, blank);
     repair_signs(text);
-    constexpr std::string_view minus = "\u2212";
     const auto digit = [&](std::size_t i) {
         return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i]));
     };
-    if (text.find(minus) != std::string::npos) {
+    // A dash, which texts of figures have for a minus, divides a range behind a digit.
+    for (const std::string_view minus : {"\u2212", "\u2013"}) {
+        if (text.find(minus) == std::string::npos) continue;
+        const bool dash = minus == "\u2013";
         std::string result;
         std::size_t from = 0;
         for (std::size_t at = text.find(minus); at != std::string::npos;
@@ -103,7 +105,9 @@ void unify_signs(std::string& text) {
             const bool in_word = at > 0 && std::isalpha(static_cast<unsigned char>(text[at - 1])) &&
                                  text[at - 1] != 'E' && text[at - 1] != 'e';
             const std::size_t next = at + minus.size();
-            if (in_word || !(digit(next) || text.compare(next, 1, ".") == 0)) continue;
+            if (in_word || (dash && at > 0 && digit(at - 1)) ||
+                !(digit(next) || text.compare(next, 1, ".") == 0))
+                continue;
             result.append(text, from, at - from).append("-");
             from = next;
         }

@@ -16,12 +16,20 @@
 namespace pendular {
 namespace {
 
-bool is_bracketed(const Row& row) {
+/// Whether a cell repeats the name above it, as one that a workbook merges over both rows does.
+bool is_merged_name(const Row& names, const Row& row, std::size_t column) {
+    return column < names.cells.size() && !row.cells[column].text.empty() &&
+           row.cells[column].text == names.cells[column].text;
+}
+
+bool is_bracketed(const Row& names, const Row& row) {
     int units = 0;
-    for (const Cell& cell : row.cells) {
-        if (cell.text.starts_with('[') && cell.text.ends_with(']'))
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        const std::string& text = row.cells[i].text;
+        if (text.starts_with('[') && text.ends_with(']'))
             ++units;
-        else if (!cell.text.empty() && !(&cell == &row.cells.front() && says_units(cell)))
+        else if (!text.empty() && !is_merged_name(names, row, i) &&
+                 !(i == 0 && says_units(row.cells[i])))
             return false;
     }
     return units > 0;
@@ -45,7 +53,9 @@ bool is_bare(const Row& names, const Row& row) {
     int units = 0, fitting = 0;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
         const std::string unit = bare_unit(row.cells[i].text);
-        if (unit.empty() || unit == "-" || (i == 0 && says_units(row.cells[i]))) continue;
+        if (unit.empty() || unit == "-" || (i == 0 && says_units(row.cells[i])) ||
+            is_merged_name(names, row, i))
+            continue;
         if (unit == "1" && is_unit_of(names, i, unit)) continue;
         if (!is_unit(unit) || parse_number(unit) || is_value(unit)) return false;
         ++units;
@@ -64,7 +74,7 @@ bool says_units(const Cell& cell) {
 }
 
 bool is_unit_row(const Row& names, const Row& row) {
-    return is_bracketed(row) || is_bare(names, row);
+    return is_bracketed(names, row) || is_bare(names, row);
 }
 
 void take_unit_row(Table& table) {

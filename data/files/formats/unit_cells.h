@@ -10,7 +10,7 @@ bool says_units(const Cell& cell);
 
 /// Whether a row below the names of columns has their units and no numbers: in brackets, or bare
 /// where at least one of them is that of the quantity named above it: "s", "mN m", "N". The 1 of a
-/// quantity without dimension counts as a unit.
+/// quantity without dimension may stand among them, and a name that is merged over both rows.
 bool is_unit_row(const Row& names, const Row& row);
 
 /// Takes the units of a table from its first row, if that is one of units, into the header:
