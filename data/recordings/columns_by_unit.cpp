@@ -17,7 +17,7 @@
 #include "data/quantities/number.h"
 #include "data/quantities/units.h"
 #include "data/recordings/column_kinds.h"
-#include "data/recordings/recording.h"
+#include "data/recordings/interval_steps.h"
 #include "data/recordings/test_kinds.h"
 
 namespace pendular {
@@ -113,21 +113,24 @@ std::vector<std::size_t> changes_of(const Block& block, std::size_t column) {
     return changes;
 }
 
-/// Rows at which the speed of the lid or the load on it changes within a file of one interval.
-std::vector<std::size_t> begins_of_steps(const IntervalSeries& series) {
-    const auto all_known = [&](const std::vector<double>& values) {
-        return values.size() == series.size() &&
-               std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-    };
-    if (!all_known(series.angular_velocity) || !all_known(series.normal())) return {};
-    Recording recording;
-    recording.line = series.line;
-    recording.angular_velocity = series.angular_velocity;
-    recording.normal_force = series.normal();
-    std::vector<std::size_t> begins;
-    for (const Step& step : split_steps(recording))
-        if (step.begin > 0) begins.push_back(step.begin);
-    return begins;
+/// Whole numbers without a unit in a column of no known quantity, with the rows at which they
+/// change.
+struct Counter {
+    BlockColumn column;
+    std::vector<std::size_t> changes;
+};
+
+std::vector<Counter> counters_of(const Block& block) {
+    std::vector<Counter> found;
+    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+        const BlockColumn& column = block.columns[i];
+        if (!column.quantity.empty() || !column.set_point_of.empty() ||
+            !(column.unit.empty() || column.unit == "-" || column.unit == "1"))
+            continue;
+        if (std::vector<std::size_t> changes = changes_of(block, i); !changes.empty())
+            found.push_back({{column.name, column.unit, "interval"}, std::move(changes)});
+    }
+    return found;
 }
 
 }  // namespace
@@ -139,17 +142,15 @@ std::vector<BlockColumn> columns_like_intervals(const BlockFile& file,
     if (!is_own_table(file.layout) || file.blocks.size() != 1 ||
         series.front().size() != block.table.rows.size() || block.has_column("interval"))
         return found;
-    const std::vector<std::size_t> steps = begins_of_steps(series.front());
+    const std::vector<Counter> counters = counters_of(block);
+    if (counters.empty()) return found;
+    std::vector<std::size_t> begins;
+    for (const Step& step : steps_of(series.front()))
+        if (step.begin > 0) begins.push_back(step.begin);
     constexpr std::size_t lag = 2;  // rows by which a measured value follows its set point
     const auto near = [](std::size_t a, std::size_t b) { return a <= b + lag && b <= a + lag; };
-    for (std::size_t i = 0; !steps.empty() && i < block.columns.size(); ++i) {
-        const BlockColumn& column = block.columns[i];
-        if (!column.quantity.empty() || !column.set_point_of.empty() ||
-            !(column.unit.empty() || column.unit == "-" || column.unit == "1"))
-            continue;
-        if (std::ranges::equal(changes_of(block, i), steps, near))
-            found.push_back({column.name, column.unit, "interval"});
-    }
+    for (const Counter& each : counters)
+        if (std::ranges::equal(each.changes, begins, near)) found.push_back(each.column);
     return found;
 }
 

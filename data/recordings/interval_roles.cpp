@@ -11,8 +11,8 @@
 #include "data/files/formats/layouts.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/column_kinds.h"
+#include "data/recordings/interval_steps.h"
 #include "data/recordings/plausibility.h"
-#include "data/recordings/recording.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/test_kinds.h"
 #include "data/recordings/time_series.h"
@@ -44,28 +44,6 @@ double largest_known(const std::vector<double>& values) {
 
 bool any_known(const std::vector<double>& values) {
     return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
-}
-
-/// Number of the steps of constant speed and load in an interval, as a study splits it. 1 for
-/// values that all lie within the 5 % by which steps differ, and where some are unknown.
-std::size_t steps_of(const IntervalSeries& series) {
-    constexpr double least_change = 0.05;  // as in steps.cpp
-    const auto changes = [&](const std::vector<double>& values) {
-        if (values.empty()) return false;
-        const auto [least, greatest] = std::ranges::minmax_element(values);
-        return *greatest - *least > least_change * std::max(std::abs(*least), std::abs(*greatest));
-    };
-    const auto known = [](const std::vector<double>& values) {
-        return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-    };
-    Recording recording;
-    recording.line = series.line;
-    recording.angular_velocity = series.angular_velocity;
-    recording.normal_force = series.normal();
-    if (!known(recording.angular_velocity) || !known(recording.normal_force) ||
-        !(changes(recording.angular_velocity) || changes(recording.normal_force)))
-        return 1;
-    return split_steps(recording).size();
 }
 
 /// Angle by which the lid turned during an interval [rad]; empty without time and speed.
@@ -131,7 +109,7 @@ std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
         loading.load_ramp = load_ramp(each);
         loading.unsteady = stress_growth(each);
         if (!loading.unsteady) loading.unsteady = stick_slip(each);
-        loading.steps = steps_of(each);
+        loading.steps = steps_of(each).size();
         result.push_back(loading);
     }
     return result;
