@@ -313,9 +313,10 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
                 Console& console) {
     const FileFormat format = format_of(options);
     const auto paths = all_files(path, options.more);
-    // Of several files, such as all of a folder, some may be notes: a study begins with the others.
-    const SheetViews read =
-        options.study.empty() ? views_of_files(paths, format) : views_to_begin_with(paths, format);
+    const auto read_all = options.study.empty() ? views_of_files
+                          : is_bare_file(path)  ? views_of_named_files
+                                                : views_to_begin_with;
+    const SheetViews read = read_all(paths, format);
     const std::vector<FileView>& views = read.views;
     check_tables(options, paths);
     std::size_t guesses = 0;

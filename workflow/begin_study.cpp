@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "data/files/file_access.h"
+#include "data/files/folded_name.h"
 #include "data/files/formats/sheets.h"
 #include "data/files/missing_mark.h"
 #include "data/files/sheet_path.h"
@@ -82,9 +83,9 @@ bool says_wet(std::string_view word) {
                                    "vlhk",    "våt",     "våd",     "molhad", "ıslak",  "islak",
                                    "nedves",  "märk",    "vochtig", "fugtig", "fuktig"};
     constexpr std::array whole = {
-        "water",  "eau",   "agua",  "acqua",  "humide", "humides", "húmedo", "húmeda", "humedo",
-        "humeda", "umido", "umida", "umidi",  "umide",  "oil",     "öl",     "oel",    "nat",
-        "natte",  "woda",  "voda",  "vatten", "vand",   "víz",     "vizes",  "vesi",   "água"};
+        "water",  "eau",   "agua",   "acqua", "humide", "humides", "húmedo", "húmeda", "humedo",
+        "humeda", "umido", "umida",  "umidi", "umide",  "oil",     "öl",     "oel",    "natte",
+        "woda",   "voda",  "vatten", "vand",  "víz",    "vizes",   "vesi",   "água"};
     return std::ranges::any_of(begins,
                                [&](std::string_view each) { return word.starts_with(each); }) ||
            std::ranges::find(whole, word) != whole.end();
@@ -94,13 +95,13 @@ bool named_wet(const std::string& texts) {
     static const TextPattern water(R"(_w\d)");  // "glass_w10"
     if (water.first(texts)) return true;
     std::string word;
-    for (const char c : texts + " ") {
+    for (const char c : lower_case(texts) + " ") {
         // Bytes beyond ASCII are parts of letters.
         if (std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) > 0x7f) {
             word += c;
             continue;
         }
-        if (says_wet(in_small_letters(word))) return true;
+        if (says_wet(word)) return true;
         word.clear();
     }
     return false;

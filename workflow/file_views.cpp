@@ -4,14 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 #include <optional>
 #include <ranges>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "data/files/column_names.h"
 #include "data/files/formats/named_columns.h"
 #include "data/files/formats/sheets.h"
 #include "data/files/header_cell.h"
+#include "data/files/text_pattern.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
 #include "data/remarks/wording.h"
@@ -100,6 +106,50 @@ SheetViews views_of_files(const std::vector<std::filesystem::path>& paths,
         std::ranges::move(own.not_read, std::back_inserter(all.not_read));
     }
     return all;
+}
+
+namespace {
+
+/// Whether most cells of a line are numbers, and two of them at least.
+bool is_of_numbers(std::string line) {
+    static const TextPattern number(R"([-+.,\dEe]*\d[-+.,\dEe]*)");
+    const auto blank_out = [&](std::string_view delimiters) {
+        std::ranges::replace_if(
+            line, [&](char c) { return delimiters.find(c) != std::string_view::npos; }, ' ');
+    };
+    blank_out("\t;|\r");
+    // Between words, a comma is a decimal mark or one of a sentence.
+    if (line.find(' ') == std::string::npos) blank_out(",");
+    std::istringstream cells(line);
+    std::size_t all = 0, numbers = 0;
+    for (std::string cell; cells >> cell; ++all)
+        numbers += number.whole(cell).has_value();
+    return numbers >= 2 && 2 * numbers > all;
+}
+
+/// Whether a file is a text without a line of numbers.
+bool is_note(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        const bool is_text = line.find('\0') == std::string::npos;
+        if (!is_text || is_of_numbers(std::move(line))) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+SheetViews views_of_named_files(const std::vector<std::filesystem::path>& paths,
+                                const FileFormat& format) {
+    std::vector<std::filesystem::path> measurements, notes;
+    std::ranges::partition_copy(paths, std::back_inserter(notes), std::back_inserter(measurements),
+                                is_note);
+    if (measurements.empty()) return views_of_files(paths, format);
+    SheetViews read = views_of_files(measurements, format);
+    for (const std::filesystem::path& note : notes)
+        read.not_read.push_back(
+            fmt::format("{} has no line of numbers and is not read.", note.string()));
+    return read;
 }
 
 bool is_used(const FileView& view) {

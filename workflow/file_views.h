@@ -29,6 +29,12 @@ SheetViews views_of_files(const std::vector<std::filesystem::path>& paths,
 SheetViews views_to_begin_with(const std::vector<std::filesystem::path>& paths,
                                const FileFormat& format);
 
+/// Reads files that a user names to begin a study, as `views_of_files` does. Notes among them,
+/// texts without a line of numbers, are left out, as a pattern of the shell may name them too.
+/// @throws InputError if a file that is no note cannot be read, or if all are notes
+SheetViews views_of_named_files(const std::vector<std::filesystem::path>& paths,
+                                const FileFormat& format);
+
 /// Whether a study can begin with a file: it has points of failure, or steady shear with all that a
 /// recording needs.
 bool begins_study(const FileView& view);

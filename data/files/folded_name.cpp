@@ -90,4 +90,24 @@ std::string folded_name(std::string_view name) {
     return without_dots(std::move(result));
 }
 
+std::string lower_case(std::string_view text) {
+    const std::u16string apart = decomposed(text);
+    std::u16string together(apart.size() + 1, u'\0');
+    UErrorCode error = U_ZERO_ERROR;
+    const UNormalizer2* const normalizer = unorm2_getNFCInstance(&error);
+    if (U_FAILURE(error)) return std::string(text);
+    const int32_t size =
+        unorm2_normalize(normalizer, apart.data(), static_cast<int32_t>(apart.size()),
+                         together.data(), static_cast<int32_t>(together.size()), &error);
+    if (U_FAILURE(error)) return std::string(text);
+    together.resize(static_cast<std::size_t>(size));
+    std::string result;
+    for (std::size_t i = 0; i < together.size();) {
+        UChar32 c = 0;
+        U16_NEXT(together.data(), i, together.size(), c);
+        append_utf8(result, u_tolower(c));
+    }
+    return result;
+}
+
 }  // namespace pendular

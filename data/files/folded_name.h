@@ -11,4 +11,8 @@ namespace pendular {
 /// is a rate, "γ" a strain.
 std::string folded_name(std::string_view name);
 
+/// Text in lower case, with letters and accents together: "öl" for "ÖL", whichever way a system
+/// writes them.
+std::string lower_case(std::string_view text);
+
 }  // namespace pendular
