@@ -13,6 +13,7 @@
 
 #include "analysis/diagnosis/explanations.h"
 #include "analysis/diagnosis/side_by_side.h"
+#include "data/quantities/decompositions.h"
 
 namespace pendular {
 namespace {
@@ -177,7 +178,7 @@ std::vector<Impact> Impacts::impacts_of_suspect(std::size_t k) const {
     const Eigen::MatrixXd projected = residuals_.project(residuals_.whiten(suspect.columns));
     const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(projected);
     const Eigen::VectorXd estimates = decomposed.solve(residuals_.residuals());
-    const Eigen::MatrixXd root = decomposed.pseudoInverse();
+    const Eigen::MatrixXd root = pseudo_inverse(decomposed);
     const Eigen::VectorXd errors = root.rowwise().norm();
     for (Eigen::Index column = 0; column < suspect.columns.cols(); ++column) {
         const Eigen::VectorXd unit = shift_by(suspect.columns.col(column));

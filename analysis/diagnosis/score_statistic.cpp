@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/quantities/decompositions.h"
 #include "data/quantities/statistics.h"
 
 namespace pendular {
@@ -39,8 +40,7 @@ void test_amplitudes(ScoreTest& test, const WeightedResiduals& residuals,
                      const Eigen::MatrixXd& projected) {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(projected);
     decomposed.setThreshold(1e-9);  // smaller directions are rounding of the projection
-    test.basis =
-        decomposed.householderQ() * Eigen::MatrixXd::Identity(projected.rows(), decomposed.rank());
+    test.basis = basis_of(decomposed);
     test.estimate = decomposed.solve(residuals.residuals());
     test.statistic = (test.basis.transpose() * residuals.residuals()).squaredNorm();
     test.predicted_reduction = test.statistic;

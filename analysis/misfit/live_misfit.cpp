@@ -5,6 +5,8 @@
 #include <Eigen/QR>
 #include <stdexcept>
 
+#include "data/quantities/decompositions.h"
+
 namespace pendular {
 namespace {
 
@@ -41,7 +43,7 @@ Eigen::MatrixXd without_each(const Measured& measured, const Prediction& predict
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(1e-8);  // columns of length 1: less is rounding of the derivatives
     solver.compute(slopes * unit.asDiagonal());
-    const Eigen::MatrixXd estimator = unit.asDiagonal() * (solver.pseudoInverse() * white);
+    const Eigen::MatrixXd estimator = unit.asDiagonal() * (pseudo_inverse(solver) * white);
     const Eigen::MatrixXd projected = white.transpose() * (white - slopes * estimator);
     const Eigen::VectorXd pulled = projected * (measured.value - prediction.value);
     Eigen::MatrixXd result(static_cast<Eigen::Index>(fitted), 1 + slopes.cols());

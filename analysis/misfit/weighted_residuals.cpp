@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <stdexcept>
 
+#include "data/quantities/decompositions.h"
+
 namespace pendular {
 namespace {
 
@@ -42,8 +44,7 @@ WeightedResiduals::WeightedResiduals(const Measured& measured, const Prediction&
     lengths_ = slopes_.colwise().norm().cwiseMax(1e-300);
     decomposed_.setThreshold(1e-7);
     decomposed_.compute(slopes_ * lengths_.cwiseInverse().asDiagonal());
-    basis_ =
-        decomposed_.householderQ() * Eigen::MatrixXd::Identity(slopes_.rows(), decomposed_.rank());
+    basis_ = basis_of(decomposed_);
 }
 
 double WeightedResiduals::log_determinant() const {
@@ -89,9 +90,7 @@ Eigen::MatrixXd WeightedResiduals::means_over(
                 groups[k].size() == 1 ? 1 : measured_(entry);
         }
     }
-    const Eigen::HouseholderQR<Eigen::MatrixXd> decomposed(whiten(members));
-    return project(decomposed.householderQ() *
-                   Eigen::MatrixXd::Identity(members.rows(), members.cols()));
+    return project(basis_of(HouseholderQr(whiten(members))));
 }
 
 Eigen::VectorXd WeightedResiduals::parameter_shift_of(const Eigen::VectorXd& change) const {

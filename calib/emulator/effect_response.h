@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <vector>
 
 #include "calib/emulator/bell_sums.h"
+#include "data/quantities/decompositions.h"
 
 namespace pendular {
 

@@ -1,9 +1,21 @@
 #include "data/quantities/decompositions.h"
 
-template class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
-template class Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
-template class Eigen::HouseholderQR<Eigen::MatrixXd>;
-template class Eigen::LLT<Eigen::MatrixXd>;
-template class Eigen::LDLT<Eigen::MatrixXd>;
-template class Eigen::PartialPivLU<Eigen::MatrixXd>;
-template class Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+PENDULAR_DECOMPOSITIONS(template)
+
+namespace pendular {
+
+Eigen::MatrixXd basis_of(const ColumnPivotingQr& decomposed) {
+    return decomposed.householderQ() *
+           Eigen::MatrixXd::Identity(decomposed.rows(), decomposed.rank());
+}
+
+Eigen::MatrixXd basis_of(const HouseholderQr& decomposed) {
+    return decomposed.householderQ() *
+           Eigen::MatrixXd::Identity(decomposed.rows(), decomposed.cols());
+}
+
+Eigen::MatrixXd pseudo_inverse(const OrthogonalDecomposition& decomposed) {
+    return decomposed.pseudoInverse();
+}
+
+}  // namespace pendular

@@ -44,6 +44,15 @@ bool differ(const Sides& s, double scale) {
     return std::abs(s.after - s.before) > std::max(tolerance * reference, 3.5 * s.noise);
 }
 
+/// Whether any two levels within a series can differ: not where all of its values lie within 5 %,
+/// as in most rows, whose medians are so spared.
+bool may_differ(Series series, double scale) {
+    const auto [least, greatest] = std::ranges::minmax(series);
+    const double nearest_to_zero =
+        (least > 0) == (greatest > 0) ? std::min(std::abs(least), std::abs(greatest)) : 0;
+    return greatest - least > tolerance * std::max(nearest_to_zero, scale);
+}
+
 /// Index in [begin, end) at which a series passes from the level before to the level after: the
 /// split with the smallest sum of distances from the two levels.
 std::size_t best_split(Series series, std::size_t begin, std::size_t end, const Sides& s) {
@@ -87,7 +96,8 @@ std::vector<std::size_t> jumps(Series series) {
     const double scale = 0.01 * std::max(std::abs(*std::max_element(series.begin(), series.end())),
                                          std::abs(*std::min_element(series.begin(), series.end())));
     const auto jumps_at = [&](std::size_t i) {
-        return differ(sides(series.subspan(i - window, window), series.subspan(i, window)), scale);
+        return may_differ(series.subspan(i - window, 2 * window), scale) &&
+               differ(sides(series.subspan(i - window, window), series.subspan(i, window)), scale);
     };
     const std::size_t last = series.size() - window;
     for (std::size_t i = window; i <= last; ++i) {

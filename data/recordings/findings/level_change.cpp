@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "data/quantities/decompositions.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/reading_groups.h"
 
@@ -167,7 +168,7 @@ FileComparison by_smooth_trend(const std::vector<Reading>& readings) {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> trend(of_files);
     trend.setThreshold(0.02);
     const Eigen::Index rank = trend.rank();
-    result.basis = trend.householderQ() * Eigen::MatrixXd::Identity(result.count(), rank);
+    result.basis = basis_of(trend);
     result.freedom = static_cast<double>(result.count() - rank) - 1;
     return result;
 }
