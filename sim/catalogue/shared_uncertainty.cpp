@@ -14,6 +14,7 @@
 
 #include "data/input_error.h"
 #include "data/quantities/units.h"
+#include "sim/catalogue/unknown_walls.h"
 
 namespace pendular {
 namespace {
@@ -313,11 +314,13 @@ SharedUncertainty typical_of(const Meaning& meaning, const Study& study) {
 
 bool SharedUncertainty::is_fitted_by(const Effect& effect) const {
     return effect.name == as_effect(name) || is_gain_of(effect, name) ||
-           (name == "surface_tension" && effect.given_by_liquid == &Liquid::surface_tension);
+           (name == "surface_tension" && effect.given_by_liquid == &Liquid::surface_tension) ||
+           (name == unknown_wall_friction && is_of_wall_friction(effect.name));
 }
 
 std::vector<ActiveEffect> SharedUncertainty::error(bool below) const {
     std::vector<ActiveEffect> active;
+    if (below && one_sided) return active;
     for (const Effect* effect : effects) {
         ActiveEffect each{effect, effect->neutral()};
         for (std::size_t k = 0; k < effect->parameters.size(); ++k)
@@ -348,6 +351,10 @@ std::vector<SharedUncertainty> shared_uncertainties(const Study& study) {
         if (each.meaning.typical_is_absolute() && each.meaning.stated(study) == 0) continue;
         all.push_back(typical_of(each.meaning, study));
         all.back().counts = kind != Class::none;
+    }
+    for (SharedUncertainty& each : errors_of_unknown_walls(study)) {
+        each.counts = kind != Class::none;
+        all.push_back(std::move(each));
     }
     std::ranges::move(without_size(study, all), std::back_inserter(all));
     return all;
