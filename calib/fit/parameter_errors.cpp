@@ -147,17 +147,6 @@ void add_alike(std::vector<InstrumentError>& errors, const std::vector<SharedUnc
     }
 }
 
-/// Changes of the readings and direct measurements by an error, taken from those measured.
-Measured without_change(Measured measured, const Prediction& prediction,
-                        const Eigen::VectorXd& change, Eigen::Index values) {
-    for (Eigen::Index k = 0; k < change.size(); ++k) {
-        // Readings change by a share of what they would be without the error.
-        const double with = prediction.value(k) + change(k);
-        measured.value(k) -= k < values ? change(k) * prediction.value(k) / with : change(k);
-    }
-    return measured;
-}
-
 /// Change of the parameters by a one-sided error, as large as it is: against a fit to readings
 /// without it. Such an error may be a quarter of a reading, so that the parameters do not change in
 /// proportion to it. Empty where the fit or this one has no minimum inside the range.
@@ -187,7 +176,6 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
     const std::vector<SharedUncertainty>& uncertainties = predictor.uncertainties();
     if (uncertainties.empty()) return;
     const Measured measured = stack(readings, direct);
-    const auto values = 2 * std::ssize(readings);
     const std::shared_ptr<const Predictor> unowned(std::shared_ptr<void>(), &predictor);
     const ModelOfReadings model(unowned, conditions_of(readings), direct);
     const Eigen::MatrixXd of_direct = changes_of_direct(predictor, direct);
@@ -224,9 +212,12 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
              .shift = shifts.col(j) / std::sqrt(1 + known),
              .needed = uncertainties[k].counts ? along(j) : along(j) / (1 + information)});
         if (!uncertainties[k].one_sided) continue;
-        const Measured without = without_change(measured, fit.prediction, changes.col(j), values);
+        // The drag of walls adds to the torque, about as much to that of weaker grains.
+        Measured without = measured;
+        without.value -= changes.col(j);
         be_one_sided(fit.instrument.back(), shift_of_fit(fit, model, without, whitening), known);
     }
+    const auto values = 2 * std::ssize(readings);
     add_alike(fit.instrument, uncertainties, changes.topRows(values),
               own_errors(measured, fit.prediction).head(values));
 }
