@@ -352,10 +352,13 @@ std::vector<SharedUncertainty> shared_uncertainties(const Study& study) {
         all.push_back(typical_of(each.meaning, study));
         all.back().counts = kind != Class::none;
     }
-    for (SharedUncertainty& each : errors_of_unknown_walls(study)) {
-        each.counts = kind != Class::none;
-        all.push_back(std::move(each));
-    }
+    for (const UnknownOfWalls& each : unknown_of_walls(study))
+        all.push_back({.name = each.name,
+                       .standard = each.root_mean_square,
+                       .assumed = true,
+                       .counts = kind != Class::none,
+                       .one_sided = true,
+                       .effects = {each.effect}});
     std::ranges::move(without_size(study, all), std::back_inserter(all));
     return all;
 }

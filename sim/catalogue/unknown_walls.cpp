@@ -24,17 +24,13 @@ double rms_mobilised() {
     return std::sqrt(squares);
 }
 
-SharedUncertainty of_friction() {
+UnknownOfWalls of_friction() {
     const auto effect =
         std::ranges::find(built_in_effects(), std::string(effect_of_friction), &Effect::name);
-    return {.name = std::string(unknown_wall_friction),
-            .standard = rms_mobilised(),
-            .assumed = true,
-            .one_sided = true,
-            .effects = {&*effect}};
+    return {std::string(unknown_wall_friction), rms_mobilised(), &*effect};
 }
 
-SharedUncertainty of_layers() {
+UnknownOfWalls of_layers() {
     // `wall-layers` itself is a switch, of which no share can be fitted.
     static const Effect share = {.name = "wall-layers",
                                  .summary = {},
@@ -46,11 +42,8 @@ SharedUncertainty of_layers() {
                                          1 - v["error"] * strength_lost_beside_walls(width);
                                      return state;
                                  }}};
-    return {.name = share.name,
-            .standard = std::numbers::inv_sqrt3,  // root mean square of 0 to 1
-            .assumed = true,
-            .one_sided = true,
-            .effects = {&share}};
+    constexpr double of_0_to_1 = std::numbers::inv_sqrt3;
+    return {share.name, of_0_to_1, &share};
 }
 
 bool states_wall_friction(const Study& study) {
@@ -66,11 +59,11 @@ bool is_of_wall_friction(const std::string& effect) {
     return effect == effect_of_friction || effect == "wall-friction";
 }
 
-std::vector<SharedUncertainty> errors_of_unknown_walls(const Study& study) {
+std::vector<UnknownOfWalls> unknown_of_walls(const Study& study) {
     if (!study.cell) return {};
     const double width = study.cell->outer_radius - study.cell->inner_radius;
     if (!walls_are_close(width / study.grains.diameter)) return {};
-    std::vector<SharedUncertainty> all;
+    std::vector<UnknownOfWalls> all;
     if (!states_wall_friction(study)) all.push_back(of_friction());
     all.push_back(of_layers());
     return all;

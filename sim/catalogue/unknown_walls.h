@@ -4,7 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/catalogue/shared_uncertainty.h"
+#include "data/study/study.h"
+#include "sim/catalogue/effect.h"
 
 namespace pendular {
 
@@ -21,6 +22,14 @@ constexpr double largest_unknown_wall_friction = 0.3;
 /// measures its parameter knows something of it.
 bool is_of_wall_friction(const std::string& effect);
 
+/// Error that all readings share, by what a study does not say of its walls: an effect of which
+/// nothing, or any share up to all that is likely, acts.
+struct UnknownOfWalls {
+    std::string name;
+    double root_mean_square = 0;  ///< of the effect's parameter
+    const Effect* effect = nullptr;
+};
+
 /// Returns the errors of a study whose side walls are close (`walls_are_close`), by what it does
 /// not say of them:
 /// - `unknown_wall_friction`, unless [cell] states wall_friction or [instrument] one of the effects
@@ -28,6 +37,6 @@ bool is_of_wall_friction(const std::string& effect);
 ///   raise the torque of a bed that they do not let shear evenly (`shear-localisation`).
 /// - `wall-layers`, as long as the model neglects them: all from no loss of strength, as beside
 ///   rough walls, to that of equal beads beside flat walls. Layers lower the torque.
-std::vector<SharedUncertainty> errors_of_unknown_walls(const Study& study);
+std::vector<UnknownOfWalls> unknown_of_walls(const Study& study);
 
 }  // namespace pendular

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/catalogue/instrument.h"
+#include "sim/catalogue/shared_uncertainty.h"
 
 namespace pendular::sim_unknown_walls_test {
 
@@ -20,9 +22,14 @@ Study study_of_width(double diameters) {
     return study;
 }
 
-bool has(const Study& study, const std::string& name) {
+std::optional<SharedUncertainty> error_of(const Study& study, const std::string& name) {
     const auto all = shared_uncertainties(study);
-    return std::ranges::find(all, name, &SharedUncertainty::name) != all.end();
+    const auto found = std::ranges::find(all, name, &SharedUncertainty::name);
+    return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+bool has(const Study& study, const std::string& name) {
+    return error_of(study, name).has_value();
 }
 
 TEST(UnknownWalls, AreAnErrorUntilTheirFrictionIsStated) {
@@ -52,11 +59,8 @@ TEST(UnknownWalls, CountOnlyInAStudyThatStatesAClassOfInstruments) {
     Study study = study_of_width(24);
     for (const bool with_class : {false, true}) {
         if (with_class) study.instrument.kind = InstrumentTable::Class::rheometer;
-        for (const SharedUncertainty& each : errors_of_unknown_walls(study)) {
-            const auto all = shared_uncertainties(study);
-            EXPECT_EQ(std::ranges::find(all, each.name, &SharedUncertainty::name)->counts,
-                      with_class);
-        }
+        for (const char* name : {"wall_friction", "wall-layers"})
+            EXPECT_EQ(error_of(study, name).value().counts, with_class) << name;
     }
 }
 
@@ -71,17 +75,15 @@ TEST(UnknownWalls, ChangeTheTorqueToOneSide) {
     state.torque = state.torque_of(294);
     state.angular_velocity = 2;
     state.bead_volume = 0.6 * state.area() * state.height;
-    const auto errors = errors_of_unknown_walls(study_of_width(24));
-    ASSERT_EQ(errors.size(), 2U);
+    const auto friction = error_of(study_of_width(24), "wall_friction").value(),
+               layers = error_of(study_of_width(24), "wall-layers").value();
     const auto shown = [&](const SharedUncertainty& error) {
         return InstrumentMap(error.error(false)).show(state).torque / state.torque;
     };
-    EXPECT_EQ(errors[0].name, "wall_friction");
-    EXPECT_GT(shown(errors[0]), 1.05);
-    EXPECT_LT(shown(errors[0]), 1.2);
-    EXPECT_EQ(errors[1].name, "wall-layers");
-    EXPECT_NEAR(shown(errors[1]), 1 - 2 * 0.57 / 24 / std::sqrt(3), 1e-9);
-    for (const SharedUncertainty& each : errors)
+    EXPECT_GT(shown(friction), 1.05);
+    EXPECT_LT(shown(friction), 1.2);
+    EXPECT_NEAR(shown(layers), 1 - 2 * 0.57 / 24 / std::sqrt(3), 1e-9);
+    for (const SharedUncertainty& each : {friction, layers})
         EXPECT_TRUE(InstrumentMap(each.error(true)).empty()) << each.name;
 }
 
