@@ -52,15 +52,14 @@ std::string largest_parts(const Calibration& c, bool counts) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The error of the first parameter by walls of unknown friction, with its unit; empty if nothing
-/// is unknown of them.
+/// How much too large walls of unknown friction may make the first parameter, with its unit; empty
+/// if nothing is unknown of them, or if the fit weighs the readings by them.
 std::string error_by_walls(const Calibration& c) {
     const auto walls =
         std::ranges::find(c.fit.instrument, unknown_wall_friction, &InstrumentError::name);
+    if (walls == c.fit.instrument.end() || walls->counts || !c.fit.determines(0)) return "";
     // They raise the torque; where that lowers a parameter, there is no such sentence on it.
-    if (walls == c.fit.instrument.end() || !c.fit.determines(0) || !(walls->shift(0) > 0))
-        return "";
-    return with_unit(walls->shift(0), c.parameters[0].unit);
+    return walls->shift(0) > 0 ? with_unit(walls->shift(0), c.parameters[0].unit) : "";
 }
 
 }  // namespace
