@@ -5,11 +5,11 @@
 #include <array>
 
 #include "calib/fit/calibration_notes.h"
-#include "calib/fit/parameter_errors.h"
 #include "calib/fit/reading_order.h"
 #include "data/recordings/reading_groups.h"
 #include "data/remarks/wording.h"
 #include "reports/failure_report.h"
+#include "reports/shared_errors.h"
 #include "reports/tables.h"
 #include "reports/with_error.h"
 #include "reports/words.h"
@@ -107,65 +107,6 @@ std::string estimate_text(const Calibration& c, std::size_t k) {
                        part(c.fit.instrument_error(i), "what all readings share"));
 }
 
-/// Error of a shared quantity as text, such as "torque-gain 2 % (assumed)".
-std::string uncertainty_text(const InstrumentError& error) {
-    const std::string size = error.unit == "1" ? fmt::format("{:.2g} %", 100 * error.standard)
-                                               : with_unit(error.standard, error.unit);
-    return fmt::format("{} {}{}", error.name, size,
-                       error.assumed && error.counts ? " (assumed)" : "");
-}
-
-/// Names of the errors that act alike with the largest one of a cause, and their contribution
-/// together: " (0.047 together with height-offset and bead_mass, which act alike)".
-std::string alike_text(const SharedCause& cause, const std::string& unit) {
-    const std::vector<std::string>& alike = cause.largest.alike;
-    if (alike.empty()) return "";
-    const std::string names = joined(alike, "and"),
-                      alone = with_unit(std::abs(cause.largest.shift(0)), unit),
-                      together = with_unit(cause.together, unit),
-                      verb = alike.size() == 1 ? "acts" : "act";
-    return alone == together
-               ? fmt::format(" ({} {} alike)", names, verb)
-               : fmt::format(" ({} together with {}, which {} alike)", together, names, verb);
-}
-
-/// The three largest causes among the errors that count (or do not), with their parts of the error
-/// of the first parameter: "torque-gain 2 % (assumed) gives 0.0080 (normal-force-gain acts alike),
-/// ...".
-std::string largest_parts(const Calibration& c, bool counts) {
-    const std::string& unit = c.parameters[0].unit;
-    std::vector<std::string> parts;
-    for (const SharedCause& each : largest_causes(c.fit, 0, counts, 3))
-        parts.push_back(fmt::format("{} gives {}{}", uncertainty_text(each.largest),
-                                    with_unit(std::abs(each.largest.shift(0)), unit),
-                                    alike_text(each, unit)));
-    return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-/// Lines on the largest parts of the error of the first parameter that all readings share, and of
-/// that by what study.toml does not state.
-void add_instrument_lines(Output& output, const Calibration& c) {
-    if (!c.fit.determines(0)) return;
-    if (const std::string parts = largest_parts(c, true); !parts.empty())
-        output.line(fmt::format("Largest parts of what all readings share: {}.", parts));
-    if (const std::string parts = largest_parts(c, false); !parts.empty())
-        output.line(fmt::format(
-            "Largest parts of the typical systematic error, {}: {}. State yours in [instrument] of "
-            "study.toml, and the fit weighs the readings by them.",
-            with_unit(c.fit.instrument_error(0, false), c.parameters[0].unit), parts));
-}
-
-/// The error of the first parameter by what study.toml does not state, as an addition to its text:
-/// " +- 0.014 (systematic: ...)"; empty without one.
-std::string systematic_text(const Calibration& c) {
-    const double error = c.fit.instrument_error(0, false);
-    if (!c.fit.determines(0) || !(error > 0)) return "";
-    return fmt::format(" +- {} (systematic: typical errors of {})",
-                       with_unit(error, c.parameters[0].unit),
-                       c.fit.instrument_error(0) > 0 ? "what [instrument] does not state"
-                                                     : "an instrument, as study.toml states none");
-}
-
 /// Beginning of the answer with the effects of the model: "With torque-offset and lid-slip, the
 /// relative RMS error of the model is".
 std::string with_effects(const ModelSettings& model) {
@@ -238,7 +179,7 @@ Output calibration_output(const FittedStudy& result, const Measurements& measure
     for (std::size_t k = 1; k < c.parameters.size(); ++k) {
         output.line(fmt::format("{} = {}.", c.parameters[k].name, estimate_text(c, k)));
     }
-    add_instrument_lines(output, c);
+    add_shared_errors(output, c);
     add_doubts(output, belief, 1);
     for (std::size_t k = 0; k < c.profile.size(); ++k) {
         const auto [lower, upper] = c.profile[k];

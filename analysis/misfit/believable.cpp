@@ -12,6 +12,7 @@
 #include "calib/fit/inexactness.h"
 #include "calib/fit/parameter_errors.h"
 #include "data/remarks/wording.h"
+#include "sim/catalogue/unknown_walls.h"
 
 namespace pendular {
 namespace {
@@ -59,7 +60,9 @@ std::string hidden_text(const Agreement& fitted) {
 
 /// Sentence on an error that the readings would need far from 0.
 std::string far_text(const InstrumentError& far) {
-    const std::string size = far.unit == "1" ? fmt::format(" of {:.2g} %", 100 * far.standard) : "";
+    // That of walls is no share of a value.
+    const bool relative = far.unit == "1" && far.name != unknown_wall_friction;
+    const std::string size = relative ? fmt::format(" of {:.2g} %", 100 * far.standard) : "";
     const std::string others =
         far.alike.empty()
             ? ""

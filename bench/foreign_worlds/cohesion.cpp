@@ -3,7 +3,8 @@
 // LAMMPS'. Written apart from Pendular's code.
 //
 //     c++ -O3 -std=c++20 $(pkg-config --cflags mpi-cxx) cohesion.cpp -llammps -lmpi -o cohesion
-//     cohesion LAW FORCE VOLUME FOLDER -var ...      (variables of sample.lmp and flow.lmp)
+//     cohesion LAW FORCE VOLUME FOLDER -var ...      (variables of the folder's sample.lmp and
+//                                                    flow.lmp)
 //
 // LAW: contact     FORCE while two grains touch
 //      capillary   a bridge forms on contact, breaks at the gap D0 = VOLUME^(1/3); force at the gap
@@ -30,16 +31,20 @@ constexpr double skin = 0.2;
 
 struct Box {
     std::array<double, 3> edge{};
+    std::array<int, 3> periodic{};
     double tilt = 0;
     /// From one centre to the nearest image of another.
     std::array<double, 3> nearest(const double* from, const double* to) const {
         std::array<double, 3> d = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-        const double layers = std::rint(d[1] / edge[1]);
+        const double layers = images(d, 1);
         d[1] -= layers * edge[1];
         d[0] -= layers * tilt;
-        d[0] -= std::rint(d[0] / edge[0]) * edge[0];
-        d[2] -= std::rint(d[2] / edge[2]) * edge[2];
+        d[0] -= images(d, 0) * edge[0];
+        d[2] -= images(d, 2) * edge[2];
         return d;
+    }
+    double images(const std::array<double, 3>& d, int k) const {
+        return periodic[k] ? std::rint(d[k] / edge[k]) : 0;
     }
 };
 
@@ -61,13 +66,15 @@ class Cohesion {
     void act(int grains, const int* tags, double** x, double** f) {
         Box box;
         double low[3], high[3], xz, yz;
-        int periodic[3], change;
-        lammps_extract_box(lammps_, low, high, &box.tilt, &yz, &xz, periodic, &change);
+        int change;
+        lammps_extract_box(lammps_, low, high, &box.tilt, &yz, &xz, box.periodic.data(), &change);
         for (int d = 0; d < 3; ++d) {
             box.edge[d] = high[d] - low[d];
         }
-        at_.resize(grains), forces_.resize(grains);
+        at_.resize(grains), forces_.resize(grains), free_.resize(grains);
+        const auto* types = static_cast<const int*>(lammps_extract_atom(lammps_, "type"));
         for (int k = 0; k < grains; ++k) {
+            free_[tags[k] - 1] = types[k] == 1;
             at_[tags[k] - 1] = x[k];
             forces_[tags[k] - 1] = f[k];
             f[k][0] = f[k][1] = f[k][2] = 0;
@@ -76,9 +83,9 @@ class Cohesion {
         const double sheared = std::remainder(box.tilt - listed_tilt_, box.edge[0]);
         if (steps_left_-- <= 0 || std::abs(sheared) > skin / 4) list_pairs(box, grains);
         std::array<double, 6> virial{};
-        int joined = 0;
+        double joined = 0;  // half of a bridge is a free grain's, half a glued one's
         for (Pair& pair : pairs_) {
-            joined += pull(pair, box, virial);
+            if (pull(pair, box, virial)) joined += 0.5 * (free_[pair.i] + free_[pair.j]);
         }
         lammps_fix_external_set_virial_global(lammps_, "bridges", virial.data());
         lammps_fix_external_set_vector(lammps_, "bridges", 1, joined);
@@ -126,7 +133,8 @@ class Cohesion {
         std::vector<double> height(grains);
         for (int k = 0; k < grains; ++k) {
             order[k] = k;
-            height[k] = at_[k][1] - std::floor(at_[k][1] / box.edge[1]) * box.edge[1];
+            height[k] = at_[k][1];
+            if (box.periodic[1]) height[k] -= std::floor(at_[k][1] / box.edge[1]) * box.edge[1];
         }
         std::sort(order.begin(), order.end(), [&](int a, int b) { return height[a] < height[b]; });
         const bool first = !listed_;
@@ -136,6 +144,7 @@ class Cohesion {
         for (int a = 0; a < grains; ++a) {
             for (int step = 1; step < grains; ++step) {
                 const int b = a + step, i = order[a], j = order[b % grains];
+                if (b >= grains && !box.periodic[1]) break;
                 const double above = height[j] + (b >= grains ? box.edge[1] : 0) - height[i];
                 if (above > reach) break;
                 const auto d = box.nearest(at_[i], at_[j]);
@@ -182,6 +191,7 @@ class Cohesion {
     bool constant_;    ///< the force does not depend on the gap
     double force_, range_, c_;
     std::vector<double*> at_, forces_;
+    std::vector<char> free_;  ///< of type 1: the other types are glued
     std::vector<Pair> pairs_;
     bool listed_ = false;
     double listed_tilt_ = 0;

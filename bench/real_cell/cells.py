@@ -11,6 +11,8 @@ GRAVITY = 9.81
 STRESSES = (300, 1000, 3000)  # under the lid [Pa]
 INERTIAL_NUMBERS = (0.02, 0.06)  # of the lid's speed over the nominal height
 REPLICATES = (1, 2)
+# As in bench/foreign_worlds: force of a bridge at contact.
+PULL_OFF_FORCE = math.pi * DIAMETER * 20.6e-3  # [N], contact angle 0
 
 
 def weight(stress):
@@ -29,6 +31,7 @@ class Cell:
     friction: float = 0.12
     rolling: float = 0  # Pendular's coefficient: largest torque over (a/2) F_N
     deviation: float = 0  # of the diameters
+    bridge_volume: float = 0  # of the liquid between two grains, if wet [a3]
     transient: float = 2  # strain of the nominal height before the recording begins
     strain: float = 4  # recorded after it
     stresses: tuple = STRESSES
@@ -51,6 +54,11 @@ def narrow(wall_friction):
     return Cell(name, wall_friction, 12, width=12, length=10, transient=3, strain=5)
 
 
+def wet(wall_friction):
+    name = f"wet, walls {wall_friction:g}, height 12"
+    return Cell(name, wall_friction, 12, bridge_volume=0.002)
+
+
 # In the order in which they are simulated.
 CELLS = (
     wide(0.15, 12),
@@ -66,6 +74,8 @@ CELLS = (
     Cell("polydisperse, walls 0.15, height 12", 0.15, 12, deviation=0.114),
     narrow(0.15),
     narrow(0),
+    wet(0.15),
+    wet(0),
 )
 
 

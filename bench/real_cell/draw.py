@@ -31,10 +31,12 @@ def cell_named(name):
 
 
 def load():
-    """States and profiles, from the base up, by cell, stress, inertial number and replicate."""
+    """States and profiles of dry beds, from the base up, by cell, stress, inertial number and replicate.
+    The theory is of dry beds."""
     states, profiles = {}, defaultdict(list)
     for row in rows_of("states.csv"):
-        states[key_of(row)] = numbers(row)
+        if not cell_named(row["cell"]).bridge_volume:
+            states[key_of(row)] = numbers(row)
     for row in rows_of("profiles.csv"):
         profiles[key_of(row)].append(numbers(row))
     return states, profiles
@@ -83,6 +85,8 @@ def across():
     the strip that the first four lack in strength against the rest."""
     runs = defaultdict(lambda: defaultdict(list))
     for row in rows_of("across.csv"):
+        if cell_named(row["cell"]).bridge_volume:
+            continue
         runs[key_of(row)][int(float(row["distance [a]"]))].append(numbers(row))
     lost_in = defaultdict(list)
     for key, places in runs.items():

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Gathers finished runs of run_cells.py into the tables that ship: states.csv (a row for each run),
 profiles.csv (a row for each layer of a run), across.csv (a row for each strip along the walls, of runs
-that recorded them) and series.csv (what an instrument records).
+that recorded them) and series.csv (what an instrument records). Rows of runs that are not in the work
+folder stay as they are.
 
     gather.py [--work FOLDER] [--out FOLDER]
 """
 import argparse
+import csv
 import sys
 from collections import defaultdict
 from pathlib import Path
@@ -143,9 +145,19 @@ def state_of(run, series, layers, volume):
     )
 
 
+def content_of(run, folder):
+    """Volume of the liquid of the bridges over that of free grains."""
+    if not run.cell.bridge_volume:
+        return "0"
+    counts = [row[1] for row in rows_of(folder / "bridges")]
+    volume = float((folder / "volume").read_text(encoding="ascii"))
+    return f"{mean(counts) * run.cell.bridge_volume / volume:.5f}"
+
+
 STATE = (
     "seed,strain [1],grain_volume [a],stress_ratio [1],stress_ratio_stderr [1],"
-    "mean_normal_stress [s22],gap [a],solid_fraction [1],gap_creep [%],sheared_height [a],lag [1]"
+    "mean_normal_stress [s22],gap [a],solid_fraction [1],gap_creep [%],sheared_height [a],lag [1],"
+    "liquid_content [1]"
 )
 LAYER = (
     "height [a],velocity [sqrt(a s22 a/m)],shear_stress [s22],normal_stress [s22],"
@@ -158,33 +170,60 @@ STRIP = (
 )
 
 
+def kept(file):
+    """Rows of an earlier table by the name of the run."""
+    rows = defaultdict(list)
+    if file.exists():
+        lines = file.read_text(encoding="ascii").splitlines()
+        lines = [line for line in lines if not line.startswith("#")][1:]
+        for line, row in zip(lines, csv.reader(lines)):
+            rows[tuple(row[:4])].append(line)
+    return rows
+
+
+def rows_from(run, folder):
+    """Rows of a finished run without their keys, by table."""
+    series, layers = series_of(run, folder), list(layers_of(run, folder))
+    volume = float((folder / "volume").read_text(encoding="ascii"))
+    state = (*state_of(run, series, layers, volume), content_of(run, folder))
+    strips = strips_of(run, folder, gap=series[-1][2])
+    return {
+        "states": [",".join(map(str, state))],
+        "profiles": [",".join(f"{x:.4g}" for x in layer) for layer in layers],
+        "across": [",".join(f"{x:.4g}" for x in strip) for strip in strips],
+        "series": [f"{t:.4f},{n:.4f},{gap:.4f}" for t, n, gap in series[SETTLING:]],
+    }
+
+
+COLUMNS = {
+    "states": STATE,
+    "profiles": LAYER,
+    "across": STRIP,
+    "series": "shear_stress [s22],normal_stress [s22],gap [a]",
+}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--work", type=Path, default=HERE.parents[1] / "build/real-cell")
     parser.add_argument("--out", type=Path, default=HERE)
     given = parser.parse_args()
-    states, profiles, recorded = [f"{KEYS},{STATE}"], [f"{KEYS},{LAYER}"], []
-    across = [f"{KEYS},{STRIP}"]
-    recorded.append(f"{KEYS},shear_stress [s22],normal_stress [s22],gap [a]")
+    tables = {name: [f"{KEYS},{columns}"] for name, columns in COLUMNS.items()}
+    earlier = {name: kept(given.out / f"{name}.csv") for name in tables}
     for run in run_cells.all_runs():
         folder = given.work / run.name
-        if not folder.exists():
-            continue
-        cell = f'"{run.cell.name}"'
-        keys = f"{cell},{run.stress:g},{run.inertial_number:g},{run.replicate}"
-        series, layers = series_of(run, folder), list(layers_of(run, folder))
-        volume = float((folder / "volume").read_text(encoding="ascii"))
-        state = state_of(run, series, layers, volume)
-        states.append(",".join(map(str, (keys, *state))))
-        strips = strips_of(run, folder, gap=series[-1][2])
-        across += [f"{keys}," + ",".join(f"{x:.4g}" for x in strip) for strip in strips]
-        profiles += [f"{keys}," + ",".join(f"{x:.4g}" for x in layer) for layer in layers]
-        recorded += [f"{keys},{t:.4f},{n:.4f},{gap:.4f}" for t, n, gap in series[SETTLING:]]
-    tables = {"states": states, "profiles": profiles, "across": across, "series": recorded}
+        key = (run.cell.name, f"{run.stress:g}", f"{run.inertial_number:g}", str(run.replicate))
+        words = f'"{key[0]}",' + ",".join(key[1:])
+        found = rows_from(run, folder) if folder.exists() else {}
+        for name, lines in tables.items():
+            if folder.exists():
+                lines += [f"{words},{row}" for row in found[name]]
+            else:
+                lines += earlier[name][key]
     for name, lines in tables.items():
         text = HEADER + "\n".join(lines) + "\n"
         (given.out / f"{name}.csv").write_text(text, encoding="ascii")
-    print(f"{len(states) - 1} runs", file=sys.stderr)
+    print(f"{len(tables['states']) - 1} runs", file=sys.stderr)
 
 
 if __name__ == "__main__":

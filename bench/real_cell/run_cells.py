@@ -14,10 +14,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE)]
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 sys.dont_write_bytecode = True
 import cells  # noqa: E402
 import sample  # noqa: E402
+from foreign_worlds.run_worlds import build_cohesion  # noqa: E402
 
 MODULUS = 1000**1.5  # stiffness number 1000 under the lid
 ROW = 0.04  # strain of the nominal height
@@ -54,6 +55,7 @@ def all_runs(replicates=cells.REPLICATES):
 def variables(run, folder, glued):
     cell = run.cell
     return {
+        "here": HERE,
         "sample": folder / "sample",
         "width": cell.width if cell.walls else 0,
         "modulus": MODULUS,
@@ -64,7 +66,7 @@ def variables(run, folder, glued):
         "rolling_stiffness": 4 * 1.4 / 1.7 * MODULUS / 2 * math.sqrt(0.0022),
         "weight": cells.weight(run.stress),
         "speed": run.inertial_number * cell.height,
-        "time_step": 0.0053 if cell.rolling or cell.deviation else 0.0057,
+        "time_step": 0.0053 if cell.rolling or cell.deviation or cell.bridge_volume else 0.0057,
         "height": cell.height,
         "transient": cell.transient,
         "strain": cell.strain,
@@ -74,7 +76,18 @@ def variables(run, folder, glued):
         "series": folder / "series",
         "profile": folder / "profile",
         "across": folder / "across",
+        "wet": int(cell.bridge_volume > 0),
+        "bridges": folder / "bridges",
     }
+
+
+def program(run, work):
+    """Words before the variables. A wet cell needs LAMMPS with a force of attraction."""
+    if not run.cell.bridge_volume:
+        return ["lmp", "-log", "none", "-in", HERE / "in.lmp"]
+    build_cohesion(work)
+    force = cells.PULL_OFF_FORCE / (cells.DIAMETER**2 * run.stress)
+    return [work / "cohesion", "capillary", force, run.cell.bridge_volume, HERE]
 
 
 def simulate(run, work):
@@ -88,7 +101,7 @@ def simulate(run, work):
     glued, volume = sample.write(
         folder / "sample", cell.grains, cell.length, cell.width, run.seed, cell.deviation
     )
-    words = ["lmp", "-log", "none", "-in", HERE / "in.lmp"]
+    words = program(run, work)
     for name, value in variables(run, folder, glued).items():
         words += ["-var", name, value]
     with open(folder / "said", "w", encoding="utf-8") as said:

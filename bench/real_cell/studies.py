@@ -11,6 +11,7 @@ ship, and asks Pendular what is missing. Neither LAMMPS nor a new simulation is 
 """
 import argparse
 import csv
+import dataclasses
 import json
 import math
 import subprocess
@@ -32,7 +33,7 @@ STUDY = """\
 [grains]
 diameter = "{diameter:g} um"
 density = "{density:g} kg/m^3"
-
+{liquid}
 [cell]
 inner_radius = "{inner:g} mm"
 outer_radius = "{outer:g} mm"
@@ -54,7 +55,12 @@ RECORDING = """\
 [[recording]]
 file = "{pattern}"
 bead_mass = "{mass:.6g} g"
-
+{liquid_content}
+"""
+LIQUID = """
+[liquid]
+surface_tension = "20.6 mN/m"
+contact_angle = "0 deg"
 """
 
 
@@ -79,10 +85,15 @@ def least_sheared(found, members, states):
         key = min(
             keys,
             key=lambda k: abs(math.log(reading["normal_stress"] / k[1]))
-            + abs(math.log(reading["inertial_number"] / k[2])),
+            + abs(math.log(reading["inertial_number"] / k[2]))
+            + 10 * abs((reading.get("liquid_content", 0) > 0) - (content_of(states[k]) > 0)),
         )
         shares.append(float(states[key]["sheared_height [a]"]) / float(states[key]["gap [a]"]))
     return f"{min(shares):.2f}" if shares else ""
+
+
+def content_of(state):
+    return float(state["liquid_content [1]"])
 
 
 def radii(cell):
@@ -118,16 +129,19 @@ def recording(cell, steps, series):
 def write_study(folder, members, states, series, state_walls):
     folder.mkdir(parents=True, exist_ok=True)
     entries = ""
+    wet = any(cell.bridge_volume for cell in members)
     for cell in members:
         keys = sorted(key for key in states if key[0] == cell.name)
         columns = float(states[keys[0]]["grain_volume [a]"]) * cells.DIAMETER
         mass = columns * area(cell) * cells.DENSITY * 1e3
-        stem = f"height_{cell.height}"
+        stem = f"{'wet' if cell.bridge_volume else 'height'}_{cell.height}"
+        content = sum(content_of(states[key]) for key in keys) / len(keys)
+        content = f"liquid_content = {content:.4g}\n" if wet else ""
         for replicate in sorted({key[3] for key in keys}):
             steps = [(key[1], key[2], key) for key in keys if key[3] == replicate]
             text = recording(cell, steps, series)
             (folder / f"{stem}_{replicate}.csv").write_text(text, encoding="ascii")
-        entries += RECORDING.format(pattern=f"{stem}_*.csv", mass=mass)
+        entries += RECORDING.format(pattern=f"{stem}_*.csv", mass=mass, liquid_content=content)
     first = members[0]
     if state_walls and first.wall_friction:
         mobilised = 0.9 * first.wall_friction / (1 + 3.6 * first.wall_friction)
@@ -141,6 +155,7 @@ def write_study(folder, members, states, series, state_walls):
             inner=inner * 1e3,
             outer=outer * 1e3,
             walls=stated,
+            liquid=LIQUID if wet else "",
             recordings=entries,
         ),
         encoding="ascii",
@@ -166,6 +181,25 @@ def friction_of(fit):
     friction = fit["parameters"]["friction"]
     total = math.hypot(friction["stderr"], friction["stderr_typical_instrument"])
     return tuple(f"{x:.4f}" for x in (friction["value"], friction["stderr"], total))
+
+
+def by_walls(fit):
+    """Part of the error of the friction by walls of unknown friction."""
+    for each in fit.get("instrument", []):
+        if each["name"] == "wall_friction":
+            return f"{abs(each['shift']['friction']):.4f}"
+    return ""
+
+
+def cohesions_of(fit):
+    """Cohesion over F0/a2 of wet readings: measured, and as the fit predicts it."""
+    row = {}
+    for source in ("measured", "simulated"):
+        lines = [line for line in fit.get("cohesion_lines", []) if line["source"] == source]
+        found = lines[0]["reduced_cohesion"] if lines else None
+        row[f"cohesion {source}"] = f"{found['value']:.4f}" if found else ""
+        row[f"stderr of cohesion {source}"] = f"{found['stderr']:.4f}" if found else ""
+    return row
 
 
 def chosen(diagnosis, said):
@@ -226,7 +260,14 @@ def judged(program, work, folder, friction, found):
     row["layers"] = int(layers)
     row |= dict(zip(("friction all", "stderr all", "with instrument all"), friction_of(last)))
     row |= {"within before": within(fit, friction), "within all": within(last, friction)}
-    return row
+    row |= {"by walls": by_walls(fit), "by walls all": by_walls(last)}
+    return row | cohesions_of(last)
+
+
+def dry_of(cell):
+    dry = dataclasses.replace(cell, bridge_volume=0, name="")
+    alike = (dataclasses.replace(each, name="") == dry for each in cells.CELLS)
+    return [each for each, same in zip(cells.CELLS, alike) if same and cell.bridge_volume]
 
 
 def groups(states, fillings):
@@ -236,8 +277,11 @@ def groups(states, fillings):
     for cell in cells.CELLS:
         if cell.name in known:
             name = cell.name.rsplit(", height", 1)[0] if fillings else cell.name
-            result[name].append(cell)
-    return {k: v for k, v in result.items() if not fillings or len(v) > 1}
+            # Of wet beads, a study has the dry ones between the same walls, too.
+            result[name] += [*dry_of(cell), cell]
+    if fillings:
+        return {k: v for k, v in result.items() if len({cell.height for cell in v}) > 1}
+    return result
 
 
 def main():

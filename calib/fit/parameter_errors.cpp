@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "calib/fit/least_squares.h"
@@ -145,6 +147,27 @@ void add_alike(std::vector<InstrumentError>& errors, const std::vector<SharedUnc
     }
 }
 
+/// Change of the parameters by a one-sided error, as large as it is: against a fit to readings
+/// without it. Such an error may be a quarter of a reading, so that the parameters do not change in
+/// proportion to it. Empty where the fit or this one has no minimum inside the range.
+std::optional<Eigen::VectorXd> shift_of_fit(const Fit& fit, const Model& model,
+                                            const Measured& without, const Whitening& whitening) {
+    if (std::ranges::find(fit.at_bound, true) != fit.at_bound.end()) return {};
+    const Minimum minimum = minimise(model, without, whitening, allowed(model), fit.parameters, {});
+    if (!minimum.usable || !minimum.converged) return {};
+    return fit.parameters - minimum.parameters;
+}
+
+/// @param known `1 + known` is the factor by which a direct measurement narrows the square of a
+/// shift
+void be_one_sided(InstrumentError& error, const std::optional<Eigen::VectorXd>& shift,
+                  double known) {
+    // Readings that would need an error of the other sign need something else.
+    error.needed = std::max(error.needed, 0.0);
+    // What counts is in the covariance, in proportion to the error.
+    if (shift && !error.counts) error.shift = *shift / std::sqrt(1 + known);
+}
+
 }  // namespace
 
 void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Reading>& readings,
@@ -153,6 +176,8 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
     const std::vector<SharedUncertainty>& uncertainties = predictor.uncertainties();
     if (uncertainties.empty()) return;
     const Measured measured = stack(readings, direct);
+    const std::shared_ptr<const Predictor> unowned(std::shared_ptr<void>(), &predictor);
+    const ModelOfReadings model(unowned, conditions_of(readings), direct);
     const Eigen::MatrixXd of_direct = changes_of_direct(predictor, direct);
     Eigen::MatrixXd changes(measured.value.size(), std::ssize(uncertainties));
     changes << predictor.shared_changes(fit.parameters, conditions_of(readings)), of_direct;
@@ -186,6 +211,11 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
              .counts = uncertainties[k].counts,
              .shift = shifts.col(j) / std::sqrt(1 + known),
              .needed = uncertainties[k].counts ? along(j) : along(j) / (1 + information)});
+        if (!uncertainties[k].one_sided) continue;
+        // The drag of walls adds to the torque, about as much to that of weaker grains.
+        Measured without = measured;
+        without.value -= changes.col(j);
+        be_one_sided(fit.instrument.back(), shift_of_fit(fit, model, without, whitening), known);
     }
     const auto values = 2 * std::ssize(readings);
     add_alike(fit.instrument, uncertainties, changes.topRows(values),

@@ -31,17 +31,6 @@ constexpr double heavy = 0.1;
 /// wall friction 0.15. The stress ratio at the lid then is less than 8 % above that of even shear.
 constexpr double evenly_sheared = 0.92;
 
-/// Friction stress over normal stress at the walls of a sheared layer [1], for a friction
-/// coefficient of the walls. Beads also roll along a wall and slide across the flow: 0.08 to 0.12
-/// at a coefficient of 0.15, 0.12 to 0.14 at 0.3 in bench/real_cell, for beads of friction 0.12.
-double mobilised(double wall_friction) {
-    return 0.9 * wall_friction / (1 + 3.6 * wall_friction);
-}
-
-/// Share of the torque lost beside the side walls that is worth a note [1]: above the typical error
-/// of a torque, 2 %, by half of it. Walls are then closer than 38 diameters.
-constexpr double noted_loss = 0.03;
-
 /// Sets the stress ratio of a bed to that of even shear at which the lid would show the ratio
 /// `at_lid`. An iteration is exact for what weight adds, a factor, and closer by the share that the
 /// walls add, 0.2 as a rule.
@@ -162,10 +151,9 @@ std::vector<Remark> few_beads(const Study& study, const std::vector<Reading>& re
     check("height", height);
     const double width =
         (study.cell->outer_radius - study.cell->inner_radius) / study.grains.diameter;
-    const double lost = strength_lost_beside_walls(width);
-    if (lost >= noted_loss && !readings.empty() && !lists(study, "wall-layers")) {
+    if (walls_are_close(width) && !readings.empty() && !lists(study, "wall-layers")) {
         found.size = width;
-        found.relative = lost;
+        found.relative = strength_lost_beside_walls(width);
         found.limit = most_for_even_shear(study, readings);
     }
     if (found.because.empty() && found.relative == 0) return {};

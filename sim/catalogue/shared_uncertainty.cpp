@@ -14,6 +14,7 @@
 
 #include "data/input_error.h"
 #include "data/quantities/units.h"
+#include "sim/catalogue/unknown_walls.h"
 
 namespace pendular {
 namespace {
@@ -313,11 +314,13 @@ SharedUncertainty typical_of(const Meaning& meaning, const Study& study) {
 
 bool SharedUncertainty::is_fitted_by(const Effect& effect) const {
     return effect.name == as_effect(name) || is_gain_of(effect, name) ||
-           (name == "surface_tension" && effect.given_by_liquid == &Liquid::surface_tension);
+           (name == "surface_tension" && effect.given_by_liquid == &Liquid::surface_tension) ||
+           (name == unknown_wall_friction && is_of_wall_friction(effect.name));
 }
 
 std::vector<ActiveEffect> SharedUncertainty::error(bool below) const {
     std::vector<ActiveEffect> active;
+    if (below && one_sided) return active;
     for (const Effect* effect : effects) {
         ActiveEffect each{effect, effect->neutral()};
         for (std::size_t k = 0; k < effect->parameters.size(); ++k)
@@ -349,6 +352,13 @@ std::vector<SharedUncertainty> shared_uncertainties(const Study& study) {
         all.push_back(typical_of(each.meaning, study));
         all.back().counts = kind != Class::none;
     }
+    for (const UnknownOfWalls& each : unknown_of_walls(study))
+        all.push_back({.name = each.name,
+                       .standard = each.root_mean_square,
+                       .assumed = true,
+                       .counts = kind != Class::none,
+                       .one_sided = true,
+                       .effects = {each.effect}});
     std::ranges::move(without_size(study, all), std::back_inserter(all));
     return all;
 }

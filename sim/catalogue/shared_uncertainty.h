@@ -24,11 +24,16 @@ struct SharedUncertainty {
     /// named where it changes the readings as an error of the budget does. `standard` is then the
     /// smallest size of interest.
     bool unbudgeted = false;
+    /// Whether an error can only have this sign, such as that of neglecting what can only raise the
+    /// torque. The readings are not corrected for its expectation, so that `standard` is its root
+    /// mean square. Source: GUM, F.2.4.5.
+    bool one_sided = false;
     /// Effects in which an error consists, with one fitted parameter each, which all have the same
     /// distance from their neutral values. They are constant as long as the program runs.
     std::vector<const Effect*> effects = {};
 
-    /// Returns the effects with an error of `standard`, or of its negative value if `below`.
+    /// Returns the effects with an error of `standard`, or of its negative value if `below`, which
+    /// is none if the error is one-sided.
     std::vector<ActiveEffect> error(bool below) const;
     /// Whether an effect changes the same quantity, so that a model which fits the effect's
     /// parameter knows nothing else of the quantity.
