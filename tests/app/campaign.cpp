@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <regex>
 
 #include <nlohmann/json.hpp>
 
@@ -335,13 +336,10 @@ TEST(CampaignCommand, EstimatesItsDurationWithoutMakingAStore) {
     const Outcome fresh = run_pendular(words + store.string());
     ASSERT_EQ(fresh.code, 0) << fresh.errors;
     EXPECT_FALSE(fs::exists(store));
-    EXPECT_THAT(fresh.errors, HasSubstr("0 of 9 simulations are in"));
-    EXPECT_THAT(fresh.errors, HasSubstr("Estimated duration of the 9 remaining simulations"));
-    EXPECT_THAT(fresh.errors, HasSubstr("another machine"));
     EXPECT_GT(json::parse(fresh.output)["estimated_seconds"], 0);
     const Outcome rest = run_pendular(words + whole(folder).string());
-    EXPECT_THAT(rest.errors, HasSubstr("8 of 9 simulations are in"));
-    EXPECT_THAT(rest.errors, HasSubstr("the speed of the 8 simulations in the store"));
+    const std::regex duration("about [0-9.]+ [a-z]+");
+    expect_told({std::regex_replace(fresh.errors + rest.errors, duration, "about N s")});
 }
 
 TEST(Simulate, StartsFromARandomSampleWhereTheStoreHasNone) {
