@@ -373,15 +373,15 @@ Output campaign_output(const CampaignState& state, const std::vector<dem::RunRes
 Output plan_output(const CampaignState& state, int threads, const std::string& source) {
     const std::size_t missing = state.runs - state.stored;
     Output output;
-    output.answer(fmt::format("{} of {} simulations are in {}; {} remain to be done.", state.stored,
+    output.answer(fmt::format("{} of {} simulations are in {}; remaining: {}.", state.stored,
                               state.runs, state.store.string(), missing));
     const auto seconds = state.seconds.value_or(std::nullopt);
     if (missing > 0 && !seconds) {
         output.line("The duration cannot be estimated: the store holds no simulation.");
     } else if (missing > 0) {
-        output.line(fmt::format(
-            "Estimated duration of the {} remaining simulations: about {} on {} thread{}, from {}.",
-            missing, duration(*seconds), threads, threads == 1 ? "" : "s", source));
+        output.line(
+            fmt::format("Estimated duration of what remains: about {} on {} thread{}, from {}.",
+                        duration(*seconds), threads, threads == 1 ? "" : "s", source));
     }
     return output;
 }

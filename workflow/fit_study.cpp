@@ -102,8 +102,8 @@ Calibration fit_study(const ResolvedStudy& study, const Measurements& measuremen
 dem::Interrupted interrupted_with(const RunStore* store) {
     if (!store) return dem::Interrupted();
     return dem::Interrupted(fmt::format(
-        "The finished simulations are in {}; give the same command again to continue, with the "
-        "unfinished simulations where they are.",
+        "the finished simulations are in {}; give the same command again to continue, with the "
+        "unfinished simulations from where they stopped",
         store->file().string()));
 }
 

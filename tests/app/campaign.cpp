@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <regex>
 
 #include <nlohmann/json.hpp>
 
@@ -67,7 +68,6 @@ fs::path whole(const TemporaryFolder& folder) {
         run_pendular(fmt::format("campaign {} --quiet --threads 2 --store {}",
                                  folder.write("runs.toml", eight_runs).string(), file.string()));
     EXPECT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output, HasSubstr("8 of 8 simulations"));
     return file;
 }
 
@@ -92,7 +92,7 @@ TEST(CampaignCommand, GoesOnWhereItWasStopped) {
     EXPECT_EQ(last.code, 0) << last.errors;
     EXPECT_EQ(json::parse(last.output)["new"], 8 - before);
     EXPECT_EQ(content_of_store(part), content_of_store(expected));
-    EXPECT_EQ(json::parse(run_pendular(words + " --json -").output)["new"], 0);
+    expect_told({run_pendular(words).output});
 }
 
 // One run of some seconds, stopped by each signal: it goes on from its checkpoint,
@@ -197,8 +197,7 @@ TEST(CampaignCommand, SaysHowToGoOn) {
         PENDULAR_PROGRAM, folder.write("runs.toml", "[[grid]]\nstrain = 500\n").string(), store,
         (folder.path() / "err").string(), store);
     EXPECT_EQ(WEXITSTATUS(std::system(("bash -c '" + command + "'").c_str())), 130);
-    EXPECT_THAT(content_of(folder.path() / "err"),
-                HasSubstr(store + "; give the same command again"));
+    expect_told({content_of(folder.path() / "err")});
 }
 
 TEST(CampaignCommand, IsTheSameInSharesAndUnderMpi) {
@@ -294,9 +293,9 @@ TEST(RunsCommand, LooksAfterTheStore) {
                       other = " --store " + (folder.path() / "other.sqlite").string();
     EXPECT_EQ(run_pendular("runs export " + table + store).code, 0);
     expect_told({run_pendular("runs import " + table + other).output});
-    const Outcome learned =
-        run_pendular("runs learn --quiet " + (folder.path() / "emulator.csv").string() + store);
-    EXPECT_THAT(learned.output, HasSubstr("from 8 runs"));
+    expect_told(
+        {run_pendular("runs learn --quiet " + (folder.path() / "emulator.csv").string() + store)
+             .output});
     EXPECT_THAT(content_of(folder.path() / "emulator.csv"), HasSubstr("stress_ratio"));
     expect_told({run_pendular("runs prune --where \"friction = 0.1\"" + other).output,
                  run_pendular("runs prune --yes --where \"friction = 0.1\"" + other).output});
@@ -337,13 +336,10 @@ TEST(CampaignCommand, EstimatesItsDurationWithoutMakingAStore) {
     const Outcome fresh = run_pendular(words + store.string());
     ASSERT_EQ(fresh.code, 0) << fresh.errors;
     EXPECT_FALSE(fs::exists(store));
-    EXPECT_THAT(fresh.errors, HasSubstr("0 of 9 simulations are in"));
-    EXPECT_THAT(fresh.errors, HasSubstr("Estimated duration of the 9 remaining simulations"));
-    EXPECT_THAT(fresh.errors, HasSubstr("another machine"));
     EXPECT_GT(json::parse(fresh.output)["estimated_seconds"], 0);
     const Outcome rest = run_pendular(words + whole(folder).string());
-    EXPECT_THAT(rest.errors, HasSubstr("8 of 9 simulations are in"));
-    EXPECT_THAT(rest.errors, HasSubstr("the speed of the 8 simulations in the store"));
+    const std::regex duration("about [0-9.]+ [a-z]+");
+    expect_told({std::regex_replace(fresh.errors + rest.errors, duration, "about N s")});
 }
 
 TEST(Simulate, StartsFromARandomSampleWhereTheStoreHasNone) {
@@ -354,7 +350,7 @@ TEST(Simulate, StartsFromARandomSampleWhereTheStoreHasNone) {
     const Outcome nearest =
         run_pendular(words + "--start nearest --store " + (folder.path() / "a.sqlite").string());
     ASSERT_EQ(nearest.code, 0) << nearest.errors;
-    EXPECT_THAT(nearest.errors, HasSubstr("starts from a random sample"));
+    expect_told({without_simulated(nearest.errors)});
     const Outcome random = run_pendular(words + "--store " + (folder.path() / "b.sqlite").string());
     EXPECT_EQ(json::parse(nearest.output)["stress_ratio"],
               json::parse(random.output)["stress_ratio"]);
@@ -368,7 +364,7 @@ TEST(Simulate, KeepsItsRun) {
     const Outcome run = run_pendular(words + " --json -" + store);
     ASSERT_EQ(run.code, 0) << run.errors;
     const Outcome next = run_pendular(words + " --friction 0.1 --start nearest --json -" + store);
-    EXPECT_THAT(next.errors, HasSubstr("from the final state of stored run 1: friction 0.09"));
+    expect_told({without_simulated(next.errors)});
     EXPECT_TRUE(json::parse(next.output).contains("start"));
     expect_refused({words + " --start 7" + store, words + " --start 1 --seed 2" + store});
     const Outcome list = run_pendular("runs list --json -" + store);

@@ -178,7 +178,7 @@ TEST(ImportFile, NamesTheTableOfReadingsThatAFileIs) {
                      "500,210,0.6,0.1\n1000,405,0.6,0.1\n2000,810,0.59,0.1\n4000,1600,0.59,0.1\n");
     const Outcome run = run_pendular("import " + file.string());
     EXPECT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output, HasSubstr("file = \"steady.csv\" below [[readings]]"));
+    expect_told({run.output});
 }
 
 TEST(ImportFile, TakesColumnsAsMessagesStateThem) {
@@ -188,8 +188,7 @@ TEST(ImportFile, TakesColumnsAsMessagesStateThem) {
     const std::size_t list = refused.errors.find("columns = [");
     ASSERT_NE(list, std::string::npos) << refused.errors;
     const std::string columns = refused.errors.substr(list, refused.errors.rfind(']') - list + 1);
-    const Outcome read = run_pendular("import " + file + " --columns '" + columns + "'");
-    EXPECT_THAT(read.output, HasSubstr("is read as layout \"headerless\"")) << columns;
+    expect_told({run_pendular("import " + file + " --columns '" + columns + "'").output});
 }
 
 TEST(ImportFile, QuotesThePathOfTheNextCommand) {
@@ -277,21 +276,19 @@ TEST(Import, SaysTheReasonThatAllStepsShareAndEndsWithThree) {
                  "inner_radius = \"21 mm\"\nouter_radius = \"45 mm\"\nbead_mass = \"46 g\"\n"
                  "[[recording]]\nfile = \"dry.csv\"\n");
     const auto file = folder.write("dry.csv", two_steps(-1));
-    const auto reason = HasSubstr(
-        "normal force is negative in all 2 steps; compression must be "
-        "positive: reverse the sign");
     const std::string study = folder.path().string();
     const Outcome import = run_pendular("import " + study);
     EXPECT_EQ(import.code, 3);
-    EXPECT_THAT(import.output, reason);
+    std::vector<std::string> told = {import.output};
     for (const char* const command : {"calibrate", "compare", "diagnose"}) {
         const Outcome run = run_pendular(fmt::format("{} {}", command, study));
         EXPECT_EQ(run.code, 2) << command;
-        EXPECT_THAT(run.errors, reason) << command;
+        told.push_back(run.errors);
     }
     const Outcome of_file = run_pendular("import " + file.string());
     EXPECT_EQ(of_file.code, 2);
-    expect_told({of_file.output});
+    told.push_back(of_file.output);
+    expect_told(told);
     folder.write("dry.csv", two_steps(1));
     EXPECT_EQ(run_pendular("import " + study).code, 0);
 }

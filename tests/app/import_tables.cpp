@@ -16,7 +16,6 @@ using pendular::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-using testing::StartsWith;
 
 /// Points of failure after two preshears, with scatter, bulk densities and unequal preshears.
 const std::string two_preshears = [] {
@@ -59,9 +58,7 @@ TEST(OwnFiles, PointsOfFailureOfABegunStudySaySo) {
     ASSERT_EQ(run_pendular("import " + file.string() + " --study " + study).code, 0);
     const Outcome run = run_pendular("import " + study + "/failure.csv");
     EXPECT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output, AllOf(HasSubstr("a point of failure, as its column failure says"),
-                                  HasSubstr("preshear with normal stress 4000 Pa"),
-                                  Not(HasSubstr("steady  "))));
+    expect_told({run.output});
     EXPECT_EQ(run_pendular("import " + study).code, 0);
 }
 
@@ -72,11 +69,10 @@ TEST(ImportFile, RefusesOneFileForTwoTablesOrTwice) {
     const Outcome tables = run_pendular("import " + file + " --tidy " + both + " --loci " +
                                         (folder.path() / "." / "both.csv").string());
     EXPECT_EQ(tables.code, 2);
-    EXPECT_THAT(tables.errors, HasSubstr("by --tidy and by --loci"));
     EXPECT_FALSE(std::filesystem::exists(both));
     const Outcome twice = run_pendular("import " + file + " " + file);
     EXPECT_EQ(twice.code, 2);
-    EXPECT_THAT(twice.errors, HasSubstr("named twice"));
+    expect_told({tables.errors, twice.errors});
 }
 
 TEST(ImportFile, NamesEveryFileOfWhichNothingIsUsed) {
@@ -92,8 +88,7 @@ TEST(ImportFile, NamesEveryFileOfWhichNothingIsUsed) {
                                      folder.write("b.csv", no_gap).string() + " " +
                                      folder.write("c.csv", sweep).string());
     EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.output, AllOf(StartsWith("Nothing of a.csv, c.csv is used: oscillation"),
-                                  HasSubstr(" Nothing of b.csv is used: it has no gap.")));
+    expect_told({run.output});
 }
 
 TEST(ImportFile, CallsForcesOnALeverSo) {
@@ -101,8 +96,7 @@ TEST(ImportFile, CallsForcesOnALeverSo) {
     std::string text = "Time [s],Lever force [N],Normal force [N],Gap [mm],Speed [rpm]\n";
     for (int i = 0; i < 30; ++i)
         text += fmt::format("{},2,20,6.2,5\n", i);
-    const Outcome run = run_pendular("import " + folder.write("t.csv", text).string());
-    EXPECT_THAT(run.output, AllOf(HasSubstr("largest lever force [N]"), Not(HasSubstr("[Pa]"))));
+    expect_told({run_pendular("import " + folder.write("t.csv", text).string()).output});
 }
 
 /// Rows of a home-built ring shear tester in Polish, with two speeds.
@@ -122,13 +116,11 @@ TEST(ImportFile, NamesAColumnInAnUnknownUnitAndKeepsTheOptions) {
     const TemporaryFolder folder;
     const std::string rows = rows_in_polish("xq/min");
     const auto named = folder.write("a.txt", rows);
-    const std::string line = "columns = { rotational_speed = \"Prędkość obrotowa [1/min]\" }";
-    EXPECT_THAT(run_pendular("import " + named.string()).errors,
-                AllOf(HasSubstr("'xq/min' is not a unit"), HasSubstr(line)));
-    const std::string options = " --decimal , --columns '" + line.substr(line.find('{')) + "'";
-    const Outcome read = run_pendular("import " + named.string() + options);
+    const Outcome refused = run_pendular("import " + named.string());
+    const Outcome read = run_pendular(
+        "import " + named.string() +
+        " --decimal , --columns '{ rotational_speed = \"Prędkość obrotowa [1/min]\" }'");
     EXPECT_EQ(read.code, 0) << read.errors;
-    EXPECT_THAT(read.output, HasSubstr("import " + named.string() + options + " --study my-study"));
     // Of an unknown name and beside columns that are read by their units.
     std::string other = rows;
     for (const auto& [from, to] :
@@ -137,13 +129,9 @@ TEST(ImportFile, NamesAColumnInAnUnknownUnitAndKeepsTheOptions) {
         other.replace(other.find(from), std::string_view(from).size(), to);
     const Outcome missing = run_pendular("import " + folder.write("b.txt", other).string());
     EXPECT_EQ(missing.code, 2);
-    EXPECT_THAT(missing.output,
-                AllOf(HasSubstr("'xq/min' is not a unit"),
-                      HasSubstr("columns = { rotational_speed = \"Silnik [1/min]\" }")));
     const Outcome no_study = run_pendular("import " + (folder.path() / "b.txt").string() +
                                           " --study " + (folder.path() / "study").string());
-    EXPECT_THAT(no_study.errors,
-                HasSubstr("write columns = { rotational_speed = \"Silnik [1/min]\" }"));
+    expect_told({refused.errors, read.output, missing.output, no_study.errors});
 }
 
 /// All files of a folder begin a study, but for those that are no measurements, which are named.
@@ -155,8 +143,7 @@ TEST(BegunStudy, TakesAllFilesOfAFolder) {
     for (const char* const name : {"files/suche_1.txt", "files/suche_10.txt", "files/suche_2.txt"})
         folder.write(name, rows_in_polish("obr/min"));
     folder.write("files/CZYTAJ.txt", "Kulki szklane.\n");
-    EXPECT_THAT(run_pendular("import " + files.string() + " --decimal ,").errors,
-                HasSubstr("pendular import FILE_OR_FOLDER --study NEW_FOLDER"));
+    const Outcome no_study = run_pendular("import " + files.string() + " --decimal ,");
     const Outcome run = run_pendular("import " + files.string() + " --study " + study.string());
     EXPECT_EQ(run.code, 0) << run.errors;
     EXPECT_THAT(run.errors + run.output, HasSubstr("CZYTAJ.txt"));
@@ -176,7 +163,7 @@ TEST(BegunStudy, TakesAllFilesOfAFolder) {
     const Outcome torn = run_pendular("import " + files.string() + "/*.* --study " +
                                       (folder.path() / "torn").string());
     EXPECT_EQ(torn.code, 2);
-    EXPECT_THAT(torn.errors, HasSubstr("torn.csv"));
+    expect_told({no_study.errors, torn.errors});
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "torn"));
 }
 
@@ -255,23 +242,19 @@ TEST(YieldLoci, AlongAnAdheringWallAreOneLine) {
     const Outcome run = run_pendular("import " + file.string() + " --loci " + loci.string() +
                                      " --figures " + figures.string());
     ASSERT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output,
-                AllOf(HasSubstr("value = 0.3   # an upper limit"), HasSubstr("above zero")));
     const std::string angle = fmt::format(",{:.6g},", std::atan(0.3) * 180 / std::numbers::pi);
     EXPECT_THAT(content_of(loci), HasSubstr(angle));
     EXPECT_THAT(content_of(figures / "wall_locus_1.csv"), HasSubstr("wall yield locus,0,100"));
     const Outcome below =
         run_pendular("import " + folder.write("below.csv", wall_points(-100, 2)).string());
-    EXPECT_THAT(below.output, HasSubstr("meets the axis below zero"));
+    expect_told({run.output, below.output});
 }
 
 TEST(YieldLoci, ExactlyOnAWallLineStateNoError) {
     const TemporaryFolder folder;
     for (const double adhesion : {0, 100}) {
-        const Outcome run =
-            run_pendular("import " + folder.write("wall.csv", wall_points(adhesion, 0)).string());
-        EXPECT_THAT(run.output, AllOf(HasSubstr("error = 0.03   # GUESS: points exactly"),
-                                      HasSubstr("value = 0.3   # an upper limit")));
+        const auto file = folder.write("wall.csv", wall_points(adhesion, 0));
+        expect_told({run_pendular("import " + file.string()).output});
     }
 }
 

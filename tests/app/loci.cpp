@@ -11,7 +11,6 @@
 namespace app_loci_test {
 
 using pendular::TemporaryFolder;
-using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Points of failure after a preshear of normal stress `pre` [Pa], about the line 0.1 pre + 0.45 s.
@@ -54,12 +53,11 @@ TEST(YieldLoci, OfAGermanWorkbookBeginAStudy) {
     const Outcome run = run_pendular("import " + book + " --study " + study + " --figures " +
                                      figures.string() + " --loci " + loci);
     EXPECT_EQ(run.code, 0) << run.errors;
-    EXPECT_THAT(run.output, HasSubstr("Flow function:"));
     EXPECT_EQ(std::ranges::count(content_of(figures / "flow_function.csv"), '\n'), 3);
     expect_told({run.output, content_of(loci), content_of(study + "/study.toml")});
     const Outcome read = run_pendular("import " + study);
     EXPECT_EQ(read.code, 0) << read.errors << read.output;
-    EXPECT_THAT(read.output, HasSubstr("readings written"));
+    expect_told({read.output});
 }
 
 TEST(YieldLoci, OfSeveralFilesGiveAFlowFunction) {

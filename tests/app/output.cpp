@@ -99,14 +99,12 @@ TEST(Simulate, ResumesWhatWasInterrupted) {
         interrupted_at(checkpoint, longer_run + "--checkpoint-every 0.001 --json " +
                                        (folder.path() / "no.json").string());
     EXPECT_EQ(first.code, 130);
-    EXPECT_THAT(first.errors, HasSubstr("same command again to resume from"));
-    EXPECT_THAT(first.errors, HasSubstr("run.checkpoint"));
     ASSERT_TRUE(fs::exists(checkpoint));
     EXPECT_FALSE(fs::exists(folder.path() / "no.json"));
 
     const Outcome other = run_pendular(small_run + "--checkpoint " + checkpoint.string());
     EXPECT_EQ(other.code, 2);
-    expect_told({other.errors});
+    expect_told({first.errors, other.errors});
 
     const Outcome second = run_pendular(kept + "-");
     ASSERT_EQ(second.code, 0) << second.errors;

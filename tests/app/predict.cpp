@@ -97,7 +97,7 @@ TEST(Predict, DrawsAnyObservableAndFormula) {
 
 TEST(Simulate, AddsTheFormulasOfAWetState) {
     const std::string small =
-        "simulate --fidelity quick --beads 200 --strain 1 --friction 0.09 "
+        "simulate --quiet --fidelity quick --beads 200 --strain 1 --friction 0.09 "
         "--inertial-number 0.05 --json - ";
     const Outcome run = run_pendular(small + "--reduced-pressure 2 --bridge-volume 0.002");
     ASSERT_EQ(run.code, 0) << run.errors;
@@ -122,8 +122,7 @@ TEST(Simulate, AddsTheFormulasOfAWetState) {
     const Outcome rolling =
         run_pendular(small + "--reduced-pressure 2 --rolling-resistance.coefficient 0.1");
     EXPECT_FALSE(json::parse(rolling.output).contains("closures"));
-    EXPECT_THAT(rolling.errors,
-                HasSubstr("are not evaluated: they need the stress ratio of dry grains"));
+    expect_told({without_simulated(rolling.errors)});
 }
 
 /// The command of a message that begins with these words.
@@ -171,7 +170,7 @@ TEST(Predict, SimulatesOnRequestWhatRunsDoNotSupport) {
     // The run is kept: the same state is supported now.
     const Outcome again = run_pendular(words);
     EXPECT_EQ(json::parse(again.output)["simulated"], false);
-    EXPECT_THAT(again.errors, HasSubstr("nothing was simulated"));
+    expect_told({without_simulated(again.errors)});
     expect_refused({"predict --simulate --along friction=0:0.3"});
 }
 

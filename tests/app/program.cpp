@@ -60,7 +60,7 @@ TEST(Simulate, PrintsJsonAloneOnStandardOutput) {
 TEST(Simulate, JoinsBeadsByBridges) {
     const Outcome run = run_pendular(
         "simulate --beads 100 --stiffness-number 300 --inertial-number 0.05 --strain 1 "
-        "--reduced-pressure 2 --bridge-volume 0.012 --bridge-force as_printed --json -");
+        "--reduced-pressure 2 --bridge-volume 0.012 --bridge-force as_printed --quiet --json -");
     ASSERT_EQ(run.code, 0) << run.errors;
     const auto json = nlohmann::json::parse(run.output);
     const auto value = [&](const char* key) { return json.at(key).at("value").get<double>(); };
@@ -74,7 +74,7 @@ TEST(Simulate, JoinsBeadsByBridges) {
     EXPECT_GT(value("distant_force"), 0.3);  // over F0
     EXPECT_LT(value("distant_force"), 0.8);
     EXPECT_EQ(json["bridge_force"], "as_printed");
-    EXPECT_THAT(run.errors, HasSubstr("0.008 a^3"));  // bridges merge beyond
+    expect_told({without_simulated(run.errors)});
 }
 
 TEST(Simulate, StopsCleanlyWhenInterrupted) {
@@ -85,7 +85,7 @@ TEST(Simulate, StopsCleanlyWhenInterrupted) {
                                 (folder.path() / "err").string();
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 124);  // timeout's own code: the program ended at its signal
-    EXPECT_THAT(content_of(folder.path() / "err"), HasSubstr("interrupted"));
+    expect_told({content_of(folder.path() / "err")});
     EXPECT_FALSE(std::filesystem::exists(json));
 }
 

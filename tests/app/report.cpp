@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <string>
 
 #include "tests/support/app_support.h"
@@ -27,7 +28,9 @@ class ReportTest : public testing::Test {
 
 TEST_F(ReportTest, OfAStudyThatWasNeverCalibratedSaysSo) {
     EXPECT_EQ(report().code, 0);
-    EXPECT_THAT(page(), HasSubstr("is not confirmed by simulations yet: pendular calibrate"));
+    const std::string html = page();
+    const std::size_t header = html.find("<header>");
+    expect_told({html.substr(header, html.find("</header>") - header)});
 }
 
 TEST_F(ReportTest, OfAStudyWithoutWetReadingsShowsDryReadingsOnly) {
@@ -52,8 +55,6 @@ TEST_F(ReportTest, OfASingleReadingSaysWhatIsNeeded) {
 TEST_F(ReportTest, WritesATableAndAParagraphToPaste) {
     const Outcome outcome = report();
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_THAT(outcome.output,
-                HasSubstr("To paste into a paper: results.csv, results.tex, methods.txt."));
     const fs::path out = fs::path(study) / "out";
     EXPECT_THAT(
         content_of(out / "results.csv"),
@@ -63,11 +64,9 @@ TEST_F(ReportTest, WritesATableAndAParagraphToPaste) {
     EXPECT_THAT(latex, HasSubstr("$\\pm$"));
     EXPECT_THAT(latex, Not(HasSubstr("+-")));
     const std::string methods = content_of(out / "methods.txt");
-    EXPECT_THAT(methods, HasSubstr("The intergranular friction coefficient was fitted with "
-                                   "Pendular "));
-    EXPECT_THAT(methods, HasSubstr(" to 9 of 9 readings (9 dry, 0 wet)"));
-    EXPECT_THAT(methods, HasSubstr("fidelity standard"));
-    EXPECT_THAT(methods, HasSubstr("Badetti"));
+    expect_told(
+        {outcome.output,
+         std::regex_replace(methods, std::regex("[0-9]+\\.[0-9]+\\.[0-9]+|[0-9a-f]{16}"), "N")});
 }
 
 TEST_F(ReportTest, NeedsNoGnuplot) {

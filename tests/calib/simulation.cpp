@@ -1,6 +1,3 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
 #include <cmath>
 #include <random>
@@ -12,6 +9,7 @@
 #include "data/input_error.h"
 #include "sim/runs/run_request.h"
 #include "tests/support/emulator_support.h"
+#include "tests/support/golden.h"
 
 namespace calib_simulation_test {
 
@@ -114,7 +112,7 @@ TEST(CalibrateStudy, DoesNotRunAfterErrorsThatRunsCannotLower) {
     EXPECT_LT(c.runs.size(), 150u);
     EXPECT_LT(c.fit.run_part(0, 0), 0.2 * c.fit.covariance(0, 0));
     EXPECT_GT(std::pow(c.fit.simulation_error(0), 2), 2 * c.fit.run_part(0, 0));
-    EXPECT_THAT(c.notes, testing::Contains(testing::HasSubstr("corrections")));
+    expect_told(c.notes);
 }
 
 TEST(CalibrateStudy, RefusesBeadsSofterThanItsCorrectionHolds) {

@@ -65,11 +65,7 @@ TEST_F(ClockTimes, CountTheDaysBetweenDatesWithSlashes) {
     EXPECT_THAT(times({"20240301 10:00:00", "20240302 10:00:00"}), ElementsAre(0, 86400));
     // One date in all rows tells nothing, as where a run goes past midnight.
     EXPECT_THAT(times({"3/1/2024 23:59:59", "3/1/2024 00:00:01"}), ElementsAre(0, 2));
-    EXPECT_THAT(
-        input_error([&] {
-            times({"3/1/2024 10:00:00", "3/2/2024 11:00:00"});
-        }),
-        testing::HasSubstr("t.csv:3:1: the dates \"3/1/2024\" and \"3/2/2024\" may be day/month"));
+    expect_told({input_error([&] { times({"3/1/2024 10:00:00", "3/2/2024 11:00:00"}); })});
 }
 
 TEST_F(ClockTimes, AreRefusedBesideOtherTexts) {

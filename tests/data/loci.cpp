@@ -14,7 +14,6 @@
 
 namespace pendular::data_loci_test {
 
-using testing::HasSubstr;
 using testing::SizeIs;
 using testing::StartsWith;
 
@@ -251,14 +250,14 @@ TEST(KindsOfShear, AreToldByTheColumnThatShowsThem) {
     IntervalSeries growing = sheared([](int i) { return 5 + 1.5 * i; });
     IntervalSeries saw =
         sheared([](int i) { return 300 + 0.8 * (i % 120) + 0.01 * (i % 2); }, 2400);
-    EXPECT_THAT(stick_slip(saw).value_or(""),
-                testing::AllOf(HasSubstr("shear stress drops"), HasSubstr("every 126 rows")));
+    std::vector<std::string> told = {stick_slip(saw).value_or("")};
     for (IntervalSeries* each : {&growing, &saw})
         each->torque = std::exchange(each->shear_stress, {});
-    EXPECT_THAT(stress_growth(growing).value_or(""), HasSubstr("the torque still rises"));
-    EXPECT_THAT(stick_slip(saw).value_or(""), HasSubstr("the torque drops"));
+    told.push_back(stress_growth(growing).value_or(""));
+    told.push_back(stick_slip(saw).value_or(""));
     growing.lever_force = std::exchange(growing.torque, {});
-    EXPECT_THAT(stress_growth(growing).value_or(""), HasSubstr("the lever force still rises"));
+    told.push_back(stress_growth(growing).value_or(""));
+    expect_told(told);
 }
 
 TEST(KindsOfShear, AreStressGrowthAndStickSlip) {

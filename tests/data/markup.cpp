@@ -9,8 +9,6 @@
 
 namespace pendular::data_markup_test {
 
-using testing::HasSubstr;
-
 constexpr const char* xml =
     "<?xml version=\"1.0\"?><RheoML><RVM><Time unit=\"s\">1</Time></RVM></RheoML>";
 constexpr const char* json =
@@ -32,13 +30,11 @@ TEST(Markup, IsRecognisedByItsBeginning) {
     const auto refusal = [](const std::string& text) {
         return input_error([&] { refuse_markup("t.csv", text); });
     };
-    EXPECT_THAT(refusal("\xEF\xBB\xBF\r\n <?xml version=\"1.0\"?>"), HasSubstr("is XML"));
-    EXPECT_THAT(refusal("<RheoML>\n<Time>1</Time></RheoML>"), HasSubstr("is XML"));
-    EXPECT_THAT(refusal("[\n {\"time\": 1}]"), HasSubstr("is JSON"));
-    EXPECT_THAT(refusal("<?xml version=\"1.0\"?><Workbook><Table ss:x=\"1\"/></Workbook>"),
-                HasSubstr("is XML"));
-    EXPECT_THAT(refusal("<!DOCTYPE html>\n<p>"), HasSubstr("is HTML"));
-    EXPECT_THAT(refusal("<?xml version=\"1.0\"?>\n<html xmlns=\"x\"/>"), HasSubstr("is HTML"));
+    expect_told({refusal("\xEF\xBB\xBF\r\n <?xml version=\"1.0\"?>"),
+                 refusal("<RheoML>\n<Time>1</Time></RheoML>"), refusal("[\n {\"time\": 1}]"),
+                 refusal("<?xml version=\"1.0\"?><Workbook><Table ss:x=\"1\"/></Workbook>"),
+                 refusal("<!DOCTYPE html>\n<p>"),
+                 refusal("<?xml version=\"1.0\"?>\n<html xmlns=\"x\"/>")});
 }
 
 TEST(Markup, IsNoTableOrExport) {

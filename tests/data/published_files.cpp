@@ -12,7 +12,6 @@
 namespace pendular::data_published_files_test {
 
 using testing::DoubleNear;
-using testing::HasSubstr;
 using testing::SizeIs;
 
 /// Name and unit of each column that is read as a quantity: "torque [mN·m]".
@@ -158,19 +157,19 @@ const std::vector<Published> published_exports = {
      {"normal_force [N]", "height [mm]", "time [s]"}},
     {"haake/petrus_freqsweep_raw.csv", "rheowin", "UTF-8", ',', 4, 125, {"time [s]"}}};
 
-/// Samples that are refused, with a part of the message that says what to do.
 TEST(PublishedFiles, AreRefusedWithWhatToWrite) {
-    const std::vector<std::pair<std::string, std::string>> refused = {
-        {"antonpaar_powder/jank_flat_glass230_original_3kPa_CORRUPT_TORQUE.csv",
-         "columns = [\"Point No, [1]\", \"Time [s]\""},
-        {"antonpaar_powder/jank_mohr_coulomb_semicolon_nested.csv", "one row for each number"},
-        {"homebuilt_annular/headerless_time_torque.csv", "columns = [\"Time [s]\""},
-        {"homebuilt_annular/one_row_time_then_torque.csv", "layout = \"transposed\""}};
-    for (const auto& [name, advice] : refused) {
+    std::vector<std::string> told;
+    for (const char* const name :
+         {"antonpaar_powder/jank_flat_glass230_original_3kPa_CORRUPT_TORQUE.csv",
+          "antonpaar_powder/jank_mohr_coulomb_semicolon_nested.csv",
+          "homebuilt_annular/headerless_time_torque.csv",
+          "homebuilt_annular/one_row_time_then_torque.csv"}) {
         const auto path = published_sample(name);
         if (!path) GTEST_SKIP() << "PENDULAR_SAMPLES is not set";
-        EXPECT_THAT(input_error([&] { read_blocks(*path); }), HasSubstr(advice)) << name;
+        const std::string error = input_error([&] { read_blocks(*path); });
+        told.push_back(error.substr(error.find(path->filename())));
     }
+    expect_told(told);
 }
 
 TEST(PublishedFiles, WithoutHeaderAreReadAsStated) {
@@ -203,7 +202,7 @@ TEST(PublishedFiles, WithDamagedTorqueAreCaught) {
     const auto damage =
         std::ranges::find(view.findings, Remark::Kind::ratio_of_columns, &Remark::kind);
     ASSERT_NE(damage, view.findings.end());
-    EXPECT_THAT(text_of(*damage), HasSubstr("10 times"));
+    expect_told({text_of(*damage)});
     EXPECT_NEAR(*view.cell.inner_radius, 0.0105, 1e-9);
     // Every row that is listed has a stress of 1 to 10 mN m times the constant of the cup, 54.4
     // Pa/(mN m), and the stresses of failure are used.

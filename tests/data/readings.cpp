@@ -78,9 +78,9 @@ TEST_F(ReadPoints, RefusesACellWithoutAValueWhereADefaultWouldCount) {
 }
 
 TEST_F(ReadPoints, ShowsTheTextOfANeededCellWithoutAValue) {
-    EXPECT_THAT(error("normal_stress [Pa],shear_stress [Pa],solid_fraction,inertial_number\n"
-                      "1000,NaN,0.6,0\n"),
-                testing::HasSubstr("\"NaN\" states no value"));
+    expect_told(
+        {error("normal_stress [Pa],shear_stress [Pa],solid_fraction,inertial_number\n"
+               "1000,NaN,0.6,0\n")});
 }
 
 TEST_F(ReadPoints, TakesShearStressAndRate) {

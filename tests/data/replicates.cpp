@@ -324,11 +324,7 @@ TEST(Replicates, MayHaveEachOthersLiquidContents) {
         return text;
     };
     EXPECT_THAT(doubts(0.36, 0.43), IsEmpty());
-    EXPECT_THAT(doubts(0.43, 0.36),
-                testing::HasSubstr("dry_A.csv, which study.toml states as dry, agrees with the wet "
-                                   "files, and wet_A.csv, stated as wet, with the dry ones"));
-    EXPECT_THAT(doubts(0.43, 0.43), Not(testing::HasSubstr("exchanged")));
-    EXPECT_THAT(doubts(0.43, 0.43), testing::HasSubstr("dry_A.csv"));
+    expect_told({doubts(0.43, 0.36), doubts(0.43, 0.43)});
 }
 
 TEST(Replicates, AreNotedWhereFillingsDifferMuch) {

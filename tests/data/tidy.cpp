@@ -7,8 +7,6 @@
 
 namespace pendular::data_tidy_test {
 
-using testing::AllOf;
-using testing::HasSubstr;
 using testing::SizeIs;
 
 const std::string recorded =
@@ -42,10 +40,7 @@ TEST(TidyTable, IsRefusedAtARowThatSaysNoRole) {
         const auto path = folder.write("t.csv", recorded + rows(1) + row);
         return input_error([&] { view_of_file(path); });
     };
-    EXPECT_THAT(refusal(",2,peaks,9,0,0.02,5,0.0062,0.5\n"),
-                AllOf(HasSubstr("t.csv:33:4: "), HasSubstr("'peaks'"), HasSubstr("'failure'"),
-                      HasSubstr("'preshear'"), HasSubstr("'other'")));
-    EXPECT_THAT(refusal(",2\n"), AllOf(HasSubstr("t.csv:33"), HasSubstr("role")));
+    expect_told({refusal(",2,peaks,9,0,0.02,5,0.0062,0.5\n"), refusal(",2\n")});
     EXPECT_EQ(view_of_file(folder.write("b.csv", recorded + rows(1) + ",,\n")).roles.size(), 1u);
 }
 

@@ -13,7 +13,6 @@
 
 namespace pendular::physics_diagnose_confirmed_test {
 
-using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 class DiagnoseConfirmed : public testing::Test {
@@ -64,7 +63,7 @@ TEST_F(DiagnoseConfirmed, GoesOnFromItsRunsAfterCtrlC) {
     waitpid(child, &status, 0);
     ASSERT_GT(kept, 0u);
     EXPECT_EQ(WEXITSTATUS(status), 130);
-    EXPECT_THAT(content_of(errors), HasSubstr("give the same command again"));
+    expect_told({content_of(errors)});
     EXPECT_FALSE(fs::exists(study_ / "out" / "diagnosis.json"));
     kept = RunStore(store_).size();
 

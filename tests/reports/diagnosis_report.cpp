@@ -147,9 +147,7 @@ TEST(VerdictLine, SaysHowAloneTheMissingEffectStands) {
     for (FittedModel& each : diagnosis.tried)
         each.fit.dof = 9;
     diagnosis.confidence_set = {diagnosis.tried[0]};
-    const std::string alone = verdict_line(diagnosis, space, {});
-    EXPECT_THAT(alone, testing::HasSubstr("next-best effect, slip"));
-    expect_told({alone});
+    expect_told({verdict_line(diagnosis, space, {})});
     // Of one that fits as well, since it contains the named effect, nothing is said.
     diagnosis.tried[1].accepted = true;
     expect_told({verdict_line(diagnosis, space, {})});

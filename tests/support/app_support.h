@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -46,6 +47,18 @@ inline Outcome run_pendular(const std::string& words) {
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder.path() / "out"),
             content_of(folder.path() / "err")};
+}
+
+/// Returns what is said of a simulation without the lines whose digits the simulation or a clock
+/// decides: another processor may round otherwise.
+inline std::string without_simulated(const std::string& told) {
+    static const std::regex simulated(
+        "^  |\\+-|computing time|averages over|the stress ratio above|cause a scatter");
+    std::istringstream lines(told);
+    std::string kept;
+    for (std::string line; std::getline(lines, line);)
+        if (!std::regex_search(line, simulated)) kept += line + "\n";
+    return kept;
 }
 
 /// Expects that `pendular` refuses each of these commands (words after the program's name) with
