@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <ranges>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -181,13 +181,14 @@ SheetViews views_to_begin_with(const std::vector<std::filesystem::path>& paths,
             result.not_read.push_back(fmt::format("A file is not read: {}.", error.what()));
         }
     }
-    constexpr std::size_t most = 3;  // reasons: more are alike, as a rule
+    // Of the reasons: more are alike, as a rule.
+    const auto first =
+        std::span(result.not_read).first(std::min<std::size_t>(3, result.not_read.size()));
     if (result.views.empty())
-        throw InputError(
-            {paths.empty() ? "" : paths.front().parent_path().string()},
-            paths.empty() ? "no file is given to begin a study with"
-                          : fmt::format("no file can begin a study. {}",
-                                        fmt::join(result.not_read | std::views::take(most), " ")));
+        throw InputError({paths.empty() ? "" : paths.front().parent_path().string()},
+                         paths.empty()
+                             ? "no file is given to begin a study with"
+                             : fmt::format("no file can begin a study. {}", fmt::join(first, " ")));
     return result;
 }
 

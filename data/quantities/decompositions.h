@@ -24,6 +24,7 @@ Eigen::MatrixXd pseudo_inverse(const OrthogonalDecomposition& decomposed);
 
 }  // namespace pendular
 
+// NOLINTBEGIN(bugprone-macro-parentheses): `what` is `template` or `extern template`.
 #define PENDULAR_DECOMPOSITIONS(what)                                                           \
     what class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;                                     \
     what class Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;                         \
@@ -49,4 +50,5 @@ Eigen::MatrixXd pseudo_inverse(const OrthogonalDecomposition& decomposed);
     what pendular::SymmetricEigenvalues& pendular::SymmetricEigenvalues::compute(               \
         const Eigen::EigenBase<Eigen::MatrixXd>&, int);
 
+// NOLINTEND(bugprone-macro-parentheses)
 PENDULAR_DECOMPOSITIONS(extern template)
