@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to a calibrated friction with its figures: installs what is missing, builds, calibrates
 # the published measurement of dry polystyrene beads, and predicts the wet range. The first figure
-# rests on the simulations that come with the program; new ones confirm it. Takes about six minutes
+# rests on the simulations that come with the program; new ones confirm it. Takes about four minutes
 # on two cores, most of it the build.
 set -euo pipefail
 cd "$(dirname "$0")/.."

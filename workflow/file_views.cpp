@@ -17,8 +17,8 @@
 #include "data/files/formats/named_columns.h"
 #include "data/files/formats/sheets.h"
 #include "data/files/header_cell.h"
-#include "data/files/text_pattern.h"
 #include "data/input_error.h"
+#include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/remarks/wording.h"
 #include "workflow/study_input.h"
@@ -112,7 +112,6 @@ namespace {
 
 /// Whether most cells of a line are numbers, and two of them at least.
 bool is_of_numbers(std::string line) {
-    static const TextPattern number(R"([-+.,\dEe]*\d[-+.,\dEe]*)");
     const auto blank_out = [&](std::string_view delimiters) {
         std::ranges::replace_if(
             line, [&](char c) { return delimiters.find(c) != std::string_view::npos; }, ' ');
@@ -123,18 +122,20 @@ bool is_of_numbers(std::string line) {
     std::istringstream cells(line);
     std::size_t all = 0, numbers = 0;
     for (std::string cell; cells >> cell; ++all)
-        numbers += number.whole(cell).has_value();
+        numbers += is_number(cell);
     return numbers >= 2 && 2 * numbers > all;
 }
 
-/// Whether a file is a text without a line of numbers.
+/// Whether a file is a text without a line of numbers. One that cannot be opened is none.
 bool is_note(const std::filesystem::path& path) {
     std::ifstream file(path);
+    bool any_text = false;
     for (std::string line; std::getline(file, line);) {
         const bool is_text = line.find('\0') == std::string::npos;
+        any_text |= !line.empty();
         if (!is_text || is_of_numbers(std::move(line))) return false;
     }
-    return true;
+    return any_text;
 }
 
 }  // namespace

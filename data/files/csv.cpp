@@ -146,9 +146,8 @@ void check_header(const Table& table) {
                 fmt::format("column '{}' occurs twice; rename or remove one", cells[i].text));
         }
     }
-    const bool numbers = std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
-        return parse_number(cell.text) || has_decimal_comma(cell.text);
-    });
+    const bool numbers = std::all_of(cells.begin(), cells.end(),
+                                     [](const Cell& cell) { return is_number(cell.text); });
     if (numbers)
         throw InputError(table.at_header(0),
                          "numbers in place of the header; begin the file with a line of the "

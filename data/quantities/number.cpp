@@ -46,6 +46,10 @@ bool has_decimal_comma(std::string_view text) {
     return parse_number(with_point).has_value();
 }
 
+bool is_number(std::string_view text) {
+    return parse_number(text) || has_decimal_comma(text);
+}
+
 std::string short_text(double number) {
     const double size = std::abs(number);
     if (!(size >= 999.5 && size < 1e6)) return fmt::format("{:.3g}", number);

@@ -39,4 +39,7 @@ std::string nominal_text(double mean);
 /// Whether a text is a number with a decimal comma, such as "1,25".
 bool has_decimal_comma(std::string_view text);
 
+/// Whether a text is a finite number with either decimal mark.
+bool is_number(std::string_view text);
+
 }  // namespace pendular

@@ -8,8 +8,7 @@
 namespace pendular {
 
 /// Returns the steps of constant speed and load in an interval, as a study splits it
-/// (`split_steps`). One for values that all lie within the 5 % by which steps differ, and where
-/// some are unknown.
+/// (`split_steps`); one where some speeds or loads are unknown.
 std::vector<Step> steps_of(const IntervalSeries& series);
 
 }  // namespace pendular

@@ -24,9 +24,7 @@ std::vector<std::string> texts_in(const Table& table, std::size_t column) {
 }
 
 bool any_number(const std::vector<std::string>& texts) {
-    return std::ranges::any_of(texts, [](const std::string& text) {
-        return parse_number(text).has_value() || has_decimal_comma(text);
-    });
+    return std::ranges::any_of(texts, [](const std::string& text) { return is_number(text); });
 }
 
 /// Whether each text stands in at least three rows in succession, as "3 kPa" and "6 kPa" do.
@@ -74,9 +72,8 @@ std::vector<double> loads_of(const Block& block) {
     if (column == block.columns.end()) return {};
     std::vector<double> loads;
     for (const Row& row : block.table.rows) {
-        std::string text = row.cells[static_cast<std::size_t>(column - block.columns.begin())].text;
-        std::ranges::replace(text, ',', '.');
-        const auto load = parse_number(text);
+        const auto load =
+            parse_number(row.cells[static_cast<std::size_t>(column - block.columns.begin())].text);
         if (!load) return {};
         loads.push_back(*load);
     }

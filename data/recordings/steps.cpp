@@ -95,6 +95,7 @@ std::vector<std::size_t> jumps(Series series) {
     if (series.size() < 2 * window) return result;
     const double scale = 0.01 * std::max(std::abs(*std::max_element(series.begin(), series.end())),
                                          std::abs(*std::min_element(series.begin(), series.end())));
+    if (!may_differ(series, scale)) return result;
     const auto jumps_at = [&](std::size_t i) {
         return may_differ(series.subspan(i - window, 2 * window), scale) &&
                differ(sides(series.subspan(i - window, window), series.subspan(i, window)), scale);

@@ -165,6 +165,13 @@ TEST(BegunStudy, TakesAllFilesOfAFolder) {
     EXPECT_EQ(torn.code, 2);
     expect_told({no_study.errors, torn.errors});
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "torn"));
+    // A file with nothing in it, as after a full disk, is no note.
+    std::filesystem::remove(files / "torn.csv");
+    folder.write("files/none.csv", "");
+    const Outcome none = run_pendular("import " + files.string() + "/*.* --study " +
+                                      (folder.path() / "none").string());
+    EXPECT_EQ(none.code, 2);
+    EXPECT_THAT(none.errors, HasSubstr("none.csv"));
 }
 
 /// Many files are a line each; a folder without any is said to be one.

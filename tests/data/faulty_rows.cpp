@@ -63,6 +63,16 @@ TEST(SampleOfEachLoad, MakesOneLocusOfAll) {
     EXPECT_THAT(view_of_file(folder.write("t.csv", text), {}).loci, SizeIs(1));
 }
 
+/// Each sample has points at several loads, written with decimal commas.
+TEST(SampleOfSeveralLoads, MakesALocusOfEach) {
+    const TemporaryFolder folder;
+    std::string text = "Sample;Normal stress [kPa];Shear stress [kPa]\n";
+    for (int load = 7; load >= 4; --load)
+        for (int sample = 1; sample <= 2; ++sample)
+            text += fmt::format("s{};{},25;{},{}5\n", sample, load, load / 2, load);
+    EXPECT_THAT(view_of_file(folder.write("t.csv", text), {}).loci, SizeIs(2));
+}
+
 /// A workbook merges "No." over the rows of names and of units.
 TEST(NameMergedOverTheUnits, LeavesThemUnits) {
     const TemporaryFolder folder;

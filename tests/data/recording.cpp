@@ -148,6 +148,14 @@ TEST(SplitSteps, FindsEachJumpOfForceOrSpeed) {
     EXPECT_THAT(ends(split_steps(recording)), ElementsAre(100, 200, 300));
 }
 
+TEST(SplitSteps, FindsAJumpJustAboveFivePercentAndOneOfTheSign) {
+    for (const double speed : {0.106, -0.1}) {
+        const Recording recording =
+            with(levels({{5, 200}}, 0), levels({{0.1, 100}, {speed, 100}}, 0.001));
+        EXPECT_THAT(ends(split_steps(recording)), ElementsAre(100, 200)) << speed;
+    }
+}
+
 TEST(SplitSteps, IgnoresChangesBelowFivePercent) {
     const Recording recording =
         with(levels({{5, 100}, {5.2, 100}}, 0.001), levels({{0.1, 200}}, 0.001));

@@ -39,7 +39,7 @@ ExaminedLine examined(const Row& row, std::size_t index) {
     line.comment = row.cells[0].text.starts_with('#');
     for (const auto& [text, column] : row.cells) {
         if (marks_no_value(text)) continue;
-        if (parse_number(text) || has_decimal_comma(text))
+        if (is_number(text))
             ++line.numbers;
         else if (text.starts_with('[') && text.ends_with(']'))
             ++line.units;
@@ -159,20 +159,16 @@ std::size_t first_filled_cell(const Row& row) {
     return static_cast<std::size_t>(first - row.cells.begin());
 }
 
-bool is_number(std::string_view cell) {
-    return parse_number(cell) || has_decimal_comma(cell);
-}
-
 /// Whether a word is one of those for a mean, a scatter or the like of the column below which it
 /// stands, in one of the five languages.
 bool names_statistic(std::string_view word) {
-    constexpr std::array<std::string_view, 21> begins = {
-        "mean",  "mittel",   "average", "durchschnitt", "std",    "stdev",   "stdabw",
-        "sd",    "standard", "min",     "max",          "median", "moyenne", "écart",
-        "media", "promedio", "desv",    "dev",          "summe",  "sum",     "total"};
+    constexpr std::array<std::string_view, 17> begins = {
+        // as folded_name has them
+        "mean",    "mittel", "average", "durchschnitt", "std",  "sd",  "min", "max",  "median",
+        "moyenne", "ecart",  "media",   "promedio",     "desv", "dev", "sum", "total"};
     const std::string folded = folded_name(word);
-    return std::ranges::any_of(
-        begins, [&](std::string_view each) { return folded.starts_with(folded_name(each)); });
+    return std::ranges::any_of(begins,
+                               [&](std::string_view each) { return folded.starts_with(each); });
 }
 
 /// Whether a line is no row of a table whose rows have a first number in a column: it has a word
@@ -281,11 +277,9 @@ void refuse_lying_table(const SourceLines& source, char delimiter) {
         if (first_filled_line(source, i) != i) continue;
         if (source.lines[i].find('"') != std::string_view::npos) return;
         const Row row = source.row(i, delimiter);
-        const bool numbers =
-            row.cells.size() > 2 && row.cells.size() <= most_cells_examined &&
-            std::all_of(row.cells.begin() + 1, row.cells.end(), [](const Cell& cell) {
-                return parse_number(cell.text) || has_decimal_comma(cell.text);
-            });
+        const bool numbers = row.cells.size() > 2 && row.cells.size() <= most_cells_examined &&
+                             std::all_of(row.cells.begin() + 1, row.cells.end(),
+                                         [](const Cell& cell) { return is_number(cell.text); });
         if (!numbers || named_quantities({row.line, {row.cells.front()}}) == 0) return;
         if (before > 0)
             throw InputError({source.file, static_cast<int>(before)},

@@ -32,9 +32,8 @@ std::size_t quantities_named(const Row& row, std::size_t begin, std::size_t end)
 }
 
 std::size_t numbers_in(const Row& row) {
-    return static_cast<std::size_t>(std::ranges::count_if(row.cells, [](const Cell& cell) {
-        return parse_number(cell.text) || has_decimal_comma(cell.text);
-    }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(row.cells, [](const Cell& cell) { return is_number(cell.text); }));
 }
 
 std::size_t filled_cells(const Row& row) {

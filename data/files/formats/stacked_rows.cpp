@@ -16,9 +16,7 @@ std::size_t first_filled_line(const SourceLines& source, std::size_t from) {
 }
 
 bool all_numbers(const Row& row) {
-    return std::ranges::all_of(row.cells, [](const Cell& cell) {
-        return parse_number(cell.text) || has_decimal_comma(cell.text);
-    });
+    return std::ranges::all_of(row.cells, [](const Cell& cell) { return is_number(cell.text); });
 }
 
 Row headerless_first_row(const SourceLines& source, char& delimiter) {

@@ -85,10 +85,6 @@ std::vector<std::size_t> cells_after_brackets(std::string_view line) {
     return closed ? begins : std::vector<std::size_t>{};
 }
 
-bool is_number(std::string_view cell) {
-    return parse_number(cell) || has_decimal_comma(cell);
-}
-
 /// Cell without the quotes around it.
 std::string_view unquoted(std::string_view cell) {
     const bool quoted = cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"');

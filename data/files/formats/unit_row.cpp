@@ -24,9 +24,8 @@ std::size_t line_of_units(const SourceLines& source, std::size_t header, char de
         if (line >= source.lines.size()) break;
         const Row row = source.row(line, delimiter);
         if (is_unit_row(names, row)) return line;
-        const bool numbers = std::ranges::any_of(row.cells, [](const Cell& cell) {
-            return parse_number(cell.text) || has_decimal_comma(cell.text);
-        });
+        const bool numbers =
+            std::ranges::any_of(row.cells, [](const Cell& cell) { return is_number(cell.text); });
         if (numbers) break;
     }
     return source.lines.size();
