@@ -53,11 +53,11 @@ std::string largest_parts(const Calibration& c, bool counts) {
 }
 
 /// How much too large walls of unknown friction may make the first parameter, with its unit; empty
-/// if nothing is unknown of them, or if the fit weighs the readings by them.
+/// if nothing is unknown of them.
 std::string error_by_walls(const Calibration& c) {
     const auto walls =
         std::ranges::find(c.fit.instrument, unknown_wall_friction, &InstrumentError::name);
-    if (walls == c.fit.instrument.end() || walls->counts || !c.fit.determines(0)) return "";
+    if (walls == c.fit.instrument.end() || !c.fit.determines(0)) return "";
     // They raise the torque; where that lowers a parameter, there is no such sentence on it.
     return walls->shift(0) > 0 ? with_unit(walls->shift(0), c.parameters[0].unit) : "";
 }
@@ -68,17 +68,25 @@ void add_shared_errors(Output& output, const Calibration& c) {
     if (!c.fit.determines(0)) return;
     if (const std::string parts = largest_parts(c, true); !parts.empty())
         output.line(fmt::format("Largest parts of what all readings share: {}.", parts));
+    const bool of_walls =
+        std::ranges::any_of(c.fit.instrument, is_unknown_of_walls, &InstrumentError::name);
     if (const std::string parts = largest_parts(c, false); !parts.empty())
         output.line(fmt::format(
-            "Largest parts of the typical systematic error, {}: {}. State yours in [instrument] of "
+            "Largest parts of the typical systematic error, {}: {}. State {} in [instrument] of "
             "study.toml, and the fit weighs the readings by them.",
-            with_unit(c.fit.instrument_error(0, false), c.parameters[0].unit), parts));
+            with_unit(c.fit.instrument_error(0, false), c.parameters[0].unit), parts,
+            of_walls ? "those of your instrument" : "yours"));
     if (const std::string walls = error_by_walls(c); !walls.empty())
         output.line(fmt::format(
             "The side walls are close, and nothing says what friction they have: as they raise the "
             "torque, the fitted {} may be too large by {}. State wall_friction in [cell] of "
-            "study.toml.",
+            "study.toml; import then says what the walls do, and the effect to add.",
             parameter_in_words(c.parameters[0].name), walls));
+    if (std::ranges::find(c.fit.instrument, "wall-layers", &InstrumentError::name) !=
+        c.fit.instrument.end())
+        output.line(
+            "Along flat side walls, beads lie in layers that shear easily: add the effect "
+            "wall-layers, which takes this part away.");
 }
 
 std::string systematic_text(const Calibration& c) {

@@ -60,8 +60,8 @@ std::string hidden_text(const Agreement& fitted) {
 
 /// Sentence on an error that the readings would need far from 0.
 std::string far_text(const InstrumentError& far) {
-    // That of walls is no share of a value.
-    const bool relative = far.unit == "1" && far.name != unknown_wall_friction;
+    // Those of walls are no shares of a value.
+    const bool relative = far.unit == "1" && !is_unknown_of_walls(far.name);
     const std::string size = relative ? fmt::format(" of {:.2g} %", 100 * far.standard) : "";
     const std::string others =
         far.alike.empty()

@@ -49,9 +49,9 @@ def wide(wall_friction, height, stresses=STRESSES):
     return Cell(name, wall_friction, height, stresses=stresses)
 
 
-def narrow(wall_friction):
-    name = f"narrow, walls {wall_friction:g}, height 12"
-    return Cell(name, wall_friction, 12, width=12, length=10, transient=3, strain=5)
+def narrow(wall_friction, height):
+    name = f"narrow, walls {wall_friction:g}, height {height}"
+    return Cell(name, wall_friction, height, width=12, length=10, transient=3, strain=5)
 
 
 def wet(wall_friction):
@@ -72,8 +72,12 @@ CELLS = (
     Cell("rolling, walls 0.15, height 12", 0.15, 12, friction=0.4, rolling=0.2),
     Cell("no walls, height 12", 0, 12, walls=False, stresses=FEW),
     Cell("polydisperse, walls 0.15, height 12", 0.15, 12, deviation=0.114),
-    narrow(0.15),
-    narrow(0),
+    narrow(0.15, 12),
+    narrow(0, 12),
+    narrow(0.15, 24),
+    narrow(0, 24),
+    narrow(0.05, 24),
+    narrow(0.3, 24),
     wet(0.15),
     wet(0),
 )

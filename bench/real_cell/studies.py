@@ -128,6 +128,8 @@ def recording(cell, steps, series):
 
 def write_study(folder, members, states, series, state_walls):
     folder.mkdir(parents=True, exist_ok=True)
+    for earlier in folder.glob("*.csv"):  # the patterns of [[recording]] would find it
+        earlier.unlink()
     entries = ""
     wet = any(cell.bridge_volume for cell in members)
     for cell in members:

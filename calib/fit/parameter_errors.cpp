@@ -148,8 +148,9 @@ void add_alike(std::vector<InstrumentError>& errors, const std::vector<SharedUnc
 }
 
 /// Change of the parameters by a one-sided error, as large as it is: against a fit to readings
-/// without it. Such an error may be a quarter of a reading, so that the parameters do not change in
-/// proportion to it. Empty where the fit or this one has no minimum inside the range.
+/// without it, within the ranges of the parameters. Such an error may be a quarter of a reading, so
+/// that the parameters do not change in proportion to it. Empty where a parameter of the fit is at
+/// a bound, or no such fit converges.
 std::optional<Eigen::VectorXd> shift_of_fit(const Fit& fit, const Model& model,
                                             const Measured& without, const Whitening& whitening) {
     if (std::ranges::find(fit.at_bound, true) != fit.at_bound.end()) return {};
@@ -158,14 +159,11 @@ std::optional<Eigen::VectorXd> shift_of_fit(const Fit& fit, const Model& model,
     return fit.parameters - minimum.parameters;
 }
 
-/// @param known `1 + known` is the factor by which a direct measurement narrows the square of a
-/// shift
-void be_one_sided(InstrumentError& error, const std::optional<Eigen::VectorXd>& shift,
-                  double known) {
+/// @param shift of the parameters; empty: that in proportion to the error stays
+void be_one_sided(InstrumentError& error, const std::optional<Eigen::VectorXd>& shift) {
     // Readings that would need an error of the other sign need something else.
     error.needed = std::max(error.needed, 0.0);
-    // What counts is in the covariance, in proportion to the error.
-    if (shift && !error.counts) error.shift = *shift / std::sqrt(1 + known);
+    if (shift) error.shift = *shift;
 }
 
 }  // namespace
@@ -215,7 +213,7 @@ void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Read
         // The drag of walls adds to the torque, about as much to that of weaker grains.
         Measured without = measured;
         without.value -= changes.col(j);
-        be_one_sided(fit.instrument.back(), shift_of_fit(fit, model, without, whitening), known);
+        be_one_sided(fit.instrument.back(), shift_of_fit(fit, model, without, whitening));
     }
     const auto values = 2 * std::ssize(readings);
     add_alike(fit.instrument, uncertainties, changes.topRows(values),

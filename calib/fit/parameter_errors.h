@@ -30,7 +30,8 @@ Eigen::VectorXd profile_rise(const Model& model, const Measured& measured, const
 /// predictions and W the inverse covariance of measured minus predicted values.
 /// Source: law of propagation, JCGM 100:2008 (GUM), Eq. (13).
 /// An error that does not count, but is measured directly, contributes what the measurement leaves.
-/// A one-sided error that does not count contributes what a fit to readings without it changes.
+/// A one-sided error contributes what a fit to readings without it changes, if that converges and
+/// no parameter is at a bound.
 /// @param readings fitted readings, to which the fit's prediction belongs
 void add_instrument(Fit& fit, const Predictor& predictor, const std::vector<Reading>& readings,
                     const std::vector<DirectMeasurement>& direct);

@@ -279,7 +279,8 @@ std::vector<SharedUncertainty> without_size(const Study& study,
         const std::vector<const Effect*> effects = effects_of(name, study);
         const bool has_size =
             known_named(name) || std::ranges::any_of(sized, [&](const SharedUncertainty& each) {
-                return std::ranges::find(each.effects, effects.front()) != each.effects.end();
+                return std::ranges::find(each.effects, effects.front()) != each.effects.end() ||
+                       each.is_fitted_by(*effects.front());
             });
         if (has_size) continue;
         const std::vector<EffectParameter>& parameters = effects.front()->parameters;
@@ -356,7 +357,7 @@ std::vector<SharedUncertainty> shared_uncertainties(const Study& study) {
         all.push_back({.name = each.name,
                        .standard = each.root_mean_square,
                        .assumed = true,
-                       .counts = kind != Class::none,
+                       .counts = false,
                        .one_sided = true,
                        .effects = {each.effect}});
     std::ranges::move(without_size(study, all), std::back_inserter(all));

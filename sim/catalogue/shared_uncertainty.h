@@ -9,9 +9,9 @@
 namespace pendular {
 
 /// Error that all readings of a study share, such as that of the calibration of the torque: one
-/// unknown number of expectation 0 with a standard uncertainty. An error has the consequences of an
-/// effect of the instrument or of the condition, of which it is a small amount.
-/// Source: JCGM 100:2008 (GUM), section 4.3 (type B evaluation) and annex F.2.4.
+/// unknown number with a standard uncertainty, of expectation 0 unless it is one-sided. An error
+/// has the consequences of an effect of the instrument or of the condition, of which it is a small
+/// amount. Source: JCGM 100:2008 (GUM), section 4.3 (type B evaluation) and annex F.2.4.
 struct SharedUncertainty {
     std::string name;  ///< effect, such as "torque-gain", or key of study.toml, such as "density"
     double standard = 0;     ///< standard uncertainty [`unit`]
@@ -24,9 +24,10 @@ struct SharedUncertainty {
     /// named where it changes the readings as an error of the budget does. `standard` is then the
     /// smallest size of interest.
     bool unbudgeted = false;
-    /// Whether an error can only have this sign, such as that of neglecting what can only raise the
-    /// torque. The readings are not corrected for its expectation, so that `standard` is its root
-    /// mean square. Source: GUM, F.2.4.5.
+    /// Whether an error can only have this sign, such as that of neglecting what can only raise, or
+    /// only lower, the torque. The readings are not corrected for its expectation, so that
+    /// `standard` is its root mean square. Source: GUM, F.2.4.5. Such an error never counts: among
+    /// the weights, readings could need it with the other sign.
     bool one_sided = false;
     /// Effects in which an error consists, with one fitted parameter each, which all have the same
     /// distance from their neutral values. They are constant as long as the program runs.

@@ -11,6 +11,7 @@ namespace pendular {
 namespace {
 
 constexpr const char* effect_of_friction = "shear-localisation";
+constexpr const char* effect_of_layers = "wall-layers";
 
 /// Root mean square of what walls mobilise whose friction is anything from 0 to the largest [1],
 /// 0.088: the same as of a wall of friction 0.15.
@@ -32,7 +33,7 @@ UnknownOfWalls of_friction() {
 
 UnknownOfWalls of_layers() {
     // `wall-layers` itself is a switch, of which no share can be fitted.
-    static const Effect share = {.name = "wall-layers",
+    static const Effect share = {.name = effect_of_layers,
                                  .summary = {},
                                  .equation = {},
                                  .parameters = {{.name = "error", .lower = 0, .upper = 1}},
@@ -46,10 +47,12 @@ UnknownOfWalls of_layers() {
     return {share.name, of_0_to_1, &share};
 }
 
-bool states_wall_friction(const Study& study) {
+bool knows_wall_friction(const Study& study) {
     return study.cell->wall_friction ||
-           std::ranges::any_of(study.instrument.stated, [](const StatedUncertainty& each) {
-               return is_of_wall_friction(each.name);
+           std::ranges::any_of(study.instrument.stated, is_of_wall_friction,
+                               &StatedUncertainty::name) ||
+           std::ranges::any_of(study.direct, [](const StatedDirect& each) {
+               return is_of_wall_friction(each.effect) && !each.value.empty();
            });
 }
 
@@ -59,12 +62,16 @@ bool is_of_wall_friction(const std::string& effect) {
     return effect == effect_of_friction || effect == "wall-friction";
 }
 
+bool is_unknown_of_walls(std::string_view error) {
+    return error == unknown_wall_friction || error == effect_of_layers;
+}
+
 std::vector<UnknownOfWalls> unknown_of_walls(const Study& study) {
     if (!study.cell) return {};
     const double width = study.cell->outer_radius - study.cell->inner_radius;
     if (!walls_are_close(width / study.grains.diameter)) return {};
     std::vector<UnknownOfWalls> all;
-    if (!states_wall_friction(study)) all.push_back(of_friction());
+    if (!knows_wall_friction(study)) all.push_back(of_friction());
     all.push_back(of_layers());
     return all;
 }

@@ -30,11 +30,14 @@ struct UnknownOfWalls {
     const Effect* effect = nullptr;
 };
 
+/// Whether an error of this name is by what a study does not say of its walls.
+bool is_unknown_of_walls(std::string_view error);
+
 /// Returns the errors of a study whose side walls are close (`walls_are_close`), by what it does
 /// not say of them:
-/// - `unknown_wall_friction`, unless [cell] states wall_friction or [instrument] one of the effects
-///   of wall friction: all from 0 to the largest is taken for equally likely. Walls of friction
-///   raise the torque of a bed that they do not let shear evenly (`shear-localisation`).
+/// - `unknown_wall_friction`, unless [cell] states wall_friction, or [instrument] or [[direct]]
+///   states an effect of it: all from 0 to the largest is taken for equally likely. Walls of
+///   friction raise the torque of a bed that they do not let shear evenly (`shear-localisation`).
 /// - `wall-layers`, as long as the model neglects them: all from no loss of strength, as beside
 ///   rough walls, to that of equal beads beside flat walls. Layers lower the torque.
 std::vector<UnknownOfWalls> unknown_of_walls(const Study& study);

@@ -24,23 +24,27 @@ Study narrow_study() {
 }
 
 /// Readings as walls show them that mobilise this friction in the sheared layer.
-std::vector<Reading> between_walls(std::vector<Reading> readings, double mobilised_friction) {
+/// @param power -1: as walls of the opposite consequence, which there are not
+std::vector<Reading> between_walls(std::vector<Reading> readings, double mobilised_friction,
+                                   int power = 1) {
     const Study study = narrow_study();
     const InstrumentMap map({{&built_in_effect("shear-localisation"), {mobilised_friction}}});
     for (Reading& reading : readings) {
         const CellState truth = shown_state(reading.condition, reading.value(0), reading.value(1),
                                             *study.cell, study.grains);
-        reading.value(0) *= map.show(truth).torque / truth.torque;
+        reading.value(0) *= std::pow(map.show(truth).torque / truth.torque, power);
     }
     return readings;
 }
 
-Fit fit_of(const Study& study, const std::vector<Reading>& readings) {
+/// @param at_bound what the fit is to say of its friction
+Fit fit_of(const Study& study, const std::vector<Reading>& readings, bool at_bound = false) {
     const std::shared_ptr<const EmulatedSimulation> simulation(std::shared_ptr<void>(),
                                                                &models().simulation());
     const auto predictor = assemble_model(study, simulation, {});
     Fit result = fit(ModelOfReadings(predictor, conditions_of(readings), {}), stack(readings, {}),
                      Eigen::VectorXd::Constant(1, 0.2));
+    result.at_bound.front() = at_bound;
     add_instrument(result, *predictor, readings, {});
     return result;
 }
@@ -64,6 +68,27 @@ TEST(UnknownWalls, ShiftAsAFitToReadingsBetweenSuchWallsMoves) {
     const double moved = with.parameters(0) - without.parameters(0);
     EXPECT_GT(moved, 0.03);
     EXPECT_NEAR(part(with, unknown_wall_friction)->shift(0), moved, 0.1 * moved);
+}
+
+// A parameter at a bound cannot follow: the part of the walls is then the one in proportion.
+TEST(UnknownWalls, ShiftInProportionWhereAParameterIsAtABound) {
+    const auto readings = between_walls(readings_with({}, 3), mobilised(0.15));
+    const Fit free = fit_of(narrow_study(), readings),
+              at_bound = fit_of(narrow_study(), readings, true);
+    const double of_fit = part(free, unknown_wall_friction)->shift(0),
+                 in_proportion = part(at_bound, unknown_wall_friction)->shift(0);
+    EXPECT_GT(in_proportion, 0);
+    EXPECT_GT(std::abs(in_proportion - of_fit), 0.05 * of_fit);
+    EXPECT_EQ(part(free, "torque-gain")->shift(0), part(at_bound, "torque-gain")->shift(0));
+}
+
+// Readings that would need walls of the opposite consequence need something else.
+TEST(UnknownWalls, AreNeededWithTheirSignAlone) {
+    const auto readings = readings_with({}, 3);
+    const Fit with = fit_of(narrow_study(), between_walls(readings, mobilised(0.3)));
+    EXPECT_GT(part(with, unknown_wall_friction)->needed, 0);
+    const Fit against = fit_of(narrow_study(), between_walls(readings, mobilised(0.3), -1));
+    EXPECT_EQ(part(against, unknown_wall_friction)->needed, 0);
 }
 
 // The friction of beads between walls of unknown friction is believed only as far as the walls

@@ -55,6 +55,7 @@ TEST(SharedErrors, AreSilentOnWallsThatAreKnown) {
     EXPECT_EQ(systematic_text(c),
               " +- 0.008 (systematic: typical errors of an instrument, as study.toml states none)");
     EXPECT_THAT(lines_of(c), Not(HasSubstr("wall")));
+    EXPECT_THAT(lines_of(c), HasSubstr("State yours in [instrument]"));
 }
 
 }  // namespace shared_errors_test

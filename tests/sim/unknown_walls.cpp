@@ -44,6 +44,17 @@ TEST(UnknownWalls, AreAnErrorUntilTheirFrictionIsStated) {
         study.instrument.stated = {{effect, "0.03"}};
         EXPECT_FALSE(has(study, "wall_friction")) << effect;
     }
+    study.instrument.stated.clear();
+    study.direct = {{.effect = "wall-friction", .value = "", .error = ""}};
+    EXPECT_TRUE(has(study, "wall_friction")) << "not measured yet";
+    study.direct = {{.effect = "wall-friction", .value = "0.15", .error = "0.01"}};
+    EXPECT_FALSE(has(study, "wall_friction"));
+}
+
+// The effect of the same walls on a bed that is sheared evenly is no further cause.
+TEST(UnknownWalls, StandForAllEffectsOfTheirFriction) {
+    EXPECT_FALSE(has(study_of_width(24), "wall-friction"));
+    EXPECT_TRUE(has(study_of_width(48), "wall-friction"));
 }
 
 TEST(UnknownWalls, AreNoErrorWhereTheyAreFarOrMissing) {
@@ -55,13 +66,13 @@ TEST(UnknownWalls, AreNoErrorWhereTheyAreFarOrMissing) {
     EXPECT_FALSE(has(table, "wall_friction"));
 }
 
-TEST(UnknownWalls, CountOnlyInAStudyThatStatesAClassOfInstruments) {
+// A fit would use what counts with either sign.
+TEST(UnknownWalls, NeverCountAmongTheWeights) {
     Study study = study_of_width(24);
-    for (const bool with_class : {false, true}) {
-        if (with_class) study.instrument.kind = InstrumentTable::Class::rheometer;
-        for (const char* name : {"wall_friction", "wall-layers"})
-            EXPECT_EQ(error_of(study, name).value().counts, with_class) << name;
-    }
+    study.instrument.kind = InstrumentTable::Class::rheometer;
+    for (const char* name : {"wall_friction", "wall-layers"})
+        EXPECT_FALSE(error_of(study, name).value().counts) << name;
+    EXPECT_TRUE(error_of(study, "torque-gain").value().counts);
 }
 
 // Walls hold grains back, layers let them go: neither error has the other sign.
