@@ -63,14 +63,14 @@ struct CountedColumn {
 
 /// Columns of a file that differ in name, unit or use, or that an interval has twice.
 std::vector<CountedColumn> distinct_columns(const BlockFile& file) {
-    using Words = std::tuple<std::string_view, std::string_view, std::string_view>;
+    using Words = std::tuple<std::string_view, std::string_view, std::string_view, bool>;
     std::vector<CountedColumn> result;
     std::map<Words, std::vector<std::size_t>> known;  // places in the result, by occurrence
     for (const Block& block : file.blocks) {
         std::map<Words, std::size_t> before;
         for (const BlockColumn& column : block.columns) {
             if (column.name.empty()) continue;
-            const Words words = {column.name, column.unit, column.quantity};
+            const Words words = {column.name, column.unit, column.quantity, column.of_errors};
             const std::size_t occurrence = before[words]++;
             std::vector<std::size_t>& places = known[words];
             if (occurrence == places.size()) {
@@ -139,7 +139,8 @@ std::vector<std::string> columns_table(const FileView& view) {
         const std::string read_as =
             column->quantity.empty()
                 ? "not used"
-                : fmt::format("{} [{}]", column->quantity, quantity(column->quantity).unit);
+                : fmt::format("{}{} [{}]", column->of_errors ? "error of " : "", column->quantity,
+                              quantity(column->quantity).unit);
         lines.push_back(fmt::format("  {:<40} {:<10} {}{}", column->name,
                                     column->unit.empty() ? "-" : column->unit, read_as, part));
     }

@@ -113,6 +113,16 @@ std::string prorating_sentence(const YieldLocus& locus) {
         *change);
 }
 
+/// Why a line through points of failure has no flowability.
+std::string unknown_flowability(const YieldLocus& locus) {
+    const std::string_view unknown = "major principal stress and flowability are unknown.";
+    if (!locus.preshear)
+        return fmt::format("The stresses of a preshear are not known: {}", unknown);
+    if (!std::isfinite(locus.preshear->shear_stress))
+        return fmt::format("The shear stress of the preshear is not known: {}", unknown);
+    return fmt::format("No Mohr circle through the preshear touches the line: {}", unknown);
+}
+
 void add_points(const YieldLocus& locus, std::vector<std::string>& lines) {
     lines.push_back(fmt::format("  {:>8} {:>8} {:>18} {:>18} {:>16} {:>16}", "interval", "line",
                                 "normal stress [Pa]", "shear stress [Pa]", "smoothed normal",
@@ -140,9 +150,7 @@ void add_locus(const YieldLocus& locus, std::vector<std::string>& lines) {
     if (locus.smoothed && rows)
         lines.push_back(strength_line("Smoothed peak:", *locus.smoothed, locus.points.size()));
     if (locus.line && !locus.line->flowability)
-        lines.emplace_back(
-            "  (The stresses of a preshear are not known: major principal stress "
-            "and flowability are unknown.)");
+        lines.push_back("  (" + unknown_flowability(locus) + ")");
 }
 
 /// Value of a table with its error, if known.

@@ -261,16 +261,16 @@ std::string alike_line(const Diagnosis& d) {
             d.effects[0], d.effects[1], d.cosines(0, 1) < similar ? "partly similar" : "similar",
             d.cosines(0, 1));
     }
+    // Both halves are equal but for rounding, which must not decide who is named first.
     Eigen::MatrixXd others = d.cosines;
-    others.diagonal().setOnes();
+    others.triangularView<Eigen::Lower>().setOnes();
     Eigen::Index one = 0, other = 0;
     const double least = others.minCoeff(&one, &other);
     const auto name = [&](Eigen::Index k) { return d.effects[static_cast<std::size_t>(k)]; };
     return fmt::format(
         "These effects change the readings in {} ways (least cosine {:.3f}, of {} and {}; 1: in "
-        "the "
-        "same way).",
-        least < similar ? "partly similar" : "similar", least, name(other), name(one));
+        "the same way).",
+        least < similar ? "partly similar" : "similar", least, name(one), name(other));
 }
 
 /// Sentence on the known effect that comes closest to a change of unknown cause.

@@ -134,6 +134,36 @@ std::string_view alternative_to(std::string_view quantity) {
     return "";
 }
 
+/// Index of the values of which a column has the errors: those of its name or, for a bare mark, the
+/// column before it. Empty for other columns.
+std::optional<std::size_t> values_of_errors(const std::vector<HeaderCell>& cells, std::size_t i) {
+    if (cells[i].deviation()) {
+        const auto same = [&](const HeaderCell& each) {
+            return !each.deviation() && each.name == cells[i].name;
+        };
+        const auto found = std::ranges::find_if(cells, same);
+        if (found == cells.end()) return {};
+        return static_cast<std::size_t>(found - cells.begin());
+    }
+    if (i == 0 || cells[i - 1].deviation() || bare_mark(cells[i]) == ErrorMark::none) return {};
+    return i - 1;
+}
+
+/// Names errors as their values, which are named as quantities by now.
+void name_errors(Row& header, const std::vector<HeaderCell>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto values = values_of_errors(cells, i);
+        if (!values) continue;
+        const HeaderCell named = parse_header_cell(header.cells[*values].text);
+        const Quantity* const quantity = find_quantity(named.name);
+        const std::string& unit = cells[i].unit;
+        if (!quantity || (!unit.empty() && !unit_fits(unit, quantity->name))) continue;
+        const ErrorMark mark = cells[i].deviation() ? cells[i].mark : bare_mark(cells[i]);
+        header.cells[i].text = fmt::format("{}{}", named.name, suffix_of(mark));
+        if (!unit.empty()) header.cells[i].text += fmt::format(" [{}]", unit);
+    }
+}
+
 }  // namespace
 
 void use_names_of_quantities(Row& header) {
@@ -175,6 +205,7 @@ void use_names_of_quantities(Row& header) {
         if (best.contains(first)) best.erase(alternative_to(first));
     for (const auto& [quantity, named] : best)
         header.cells[named.column].text = named.text;
+    name_errors(header, cells);
 }
 
 Columns::Columns(const Table& table) : table_(table) {

@@ -1,5 +1,7 @@
 #include "data/files/header_cell.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -37,26 +39,57 @@ std::size_t opening_bracket(std::string_view text) {
 }
 
 struct Spelling {
-    std::string_view text;
+    std::string_view text;  ///< in lower case, as far as ASCII goes
     ErrorMark mark;
 };
+// A spelling stands before those with which it ends.
 constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::standard_deviation},
-                                  Spelling{"standard error", ErrorMark::standard_error},
-                                  Spelling{"uncertainty", ErrorMark::standard_error},
+                                  Spelling{"standardabweichung", ErrorMark::standard_deviation},
+                                  Spelling{"écart-type", ErrorMark::standard_deviation},
+                                  Spelling{"Écart-type", ErrorMark::standard_deviation},
+    Spelling{"ecart-type", ErrorMark::standard_deviation},
+                                  Spelling{"desviación estándar", ErrorMark::standard_deviation},
+                                  Spelling{"desviacion estandar", ErrorMark::standard_deviation},
+                                  Spelling{"deviazione standard", ErrorMark::standard_deviation},
+                                  Spelling{"std dev", ErrorMark::standard_deviation},
+                                  Spelling{"std. dev.", ErrorMark::standard_deviation},
+                                  Spelling{"st. dev.", ErrorMark::standard_deviation},
                                   Spelling{"stddev", ErrorMark::standard_deviation},
                                   Spelling{"stdev", ErrorMark::standard_deviation},
+                                  Spelling{"standard error", ErrorMark::standard_error},
+                                  Spelling{"standardfehler", ErrorMark::standard_error},
+                                  Spelling{"standardunsicherheit", ErrorMark::standard_error},
+                                  Spelling{"standard uncertainty", ErrorMark::standard_error},
+                                  Spelling{"uncertainty", ErrorMark::standard_error},
+                                  Spelling{"messunsicherheit", ErrorMark::standard_error},
+                                  Spelling{"unsicherheit", ErrorMark::standard_error},
+                                  Spelling{"incertitude-type", ErrorMark::standard_error},
+                                  Spelling{"incertitude", ErrorMark::standard_error},
+                                  Spelling{"incertidumbre", ErrorMark::standard_error},
+                                  Spelling{"incertezza", ErrorMark::standard_error},
                                   Spelling{"stderr", ErrorMark::standard_error},
                                   Spelling{"error", ErrorMark::standard_error},
+                                  Spelling{"fehler", ErrorMark::standard_error},
+                                  Spelling{"erreur", ErrorMark::standard_error},
+                                  Spelling{"errore", ErrorMark::standard_error},
                                   Spelling{"std", ErrorMark::standard_deviation},
                                   Spelling{"u95", ErrorMark::half_width},
                                   Spelling{"sd", ErrorMark::standard_deviation},
-                                  Spelling{"se", ErrorMark::standard_error}};
+                                  Spelling{"se", ErrorMark::standard_error},
+                                  Spelling{"±", ErrorMark::standard_error},
+                                  Spelling{"+/-", ErrorMark::standard_error},
+                                  Spelling{"+-", ErrorMark::standard_error}};
+
+std::string in_lower_case(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
 
 /// Takes a mark of errors such as "_sd" off the end of a name, with its separator.
 ErrorMark take_mark(std::string_view& name) {
-    std::string lower(name);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = in_lower_case(name);
     for (const auto& [text, mark] : spellings) {
         if (!lower.ends_with(text) || lower.size() <= text.size()) continue;
         const char separator = lower[lower.size() - text.size() - 1];
@@ -65,6 +98,50 @@ ErrorMark take_mark(std::string_view& name) {
         return mark;
     }
     return ErrorMark::none;
+}
+
+/// A header cell that begins with a mark of errors, taken apart.
+struct Marked {
+    ErrorMark mark = ErrorMark::none;
+    std::string rest;  ///< without the mark, and without brackets around the name
+};
+
+/// Takes the brackets off that follow a mark at once: "(tau) [Pa]" is "tau [Pa]". Empty if there
+/// are none.
+std::string without_brackets(std::string_view text) {
+    if (!text.starts_with('(')) return "";
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        depth += text[i] == '(';
+        depth -= text[i] == ')';
+        if (depth == 0) return fmt::format("{}{}", text.substr(1, i - 1), text.substr(i + 1));
+    }
+    return "";
+}
+
+/// Takes off the words between a mark and a name: "of the", "der".
+std::string_view without_article(std::string_view text) {
+    for (const std::string_view word :
+         {"of the ", "of ", "in the ", "in ", "der ", "des ", "de la ", "de l'", "del ", "de ",
+          "du ", "della ", "dello ", "di "})
+        if (in_lower_case(text).starts_with(word)) return text.substr(word.size());
+    return text;
+}
+
+/// The parts of a cell with a mark of errors at its beginning.
+Marked leading_mark(std::string_view text) {
+    const std::string lower = in_lower_case(text);
+    // "u(tau)" is how the GUM writes a standard uncertainty; "u" alone may be a velocity.
+    if (lower.starts_with("u("))
+        return {ErrorMark::standard_error, without_brackets(text.substr(1))};
+    for (const auto& [word, mark] : spellings) {
+        if (!lower.starts_with(word)) continue;
+        const std::string_view rest = text.substr(word.size());
+        if (rest.starts_with('(')) return {mark, without_brackets(rest)};
+        if (rest.starts_with(' ') || rest.starts_with('_'))
+            return {mark, std::string(without_article(trimmed(rest.substr(1))))};
+    }
+    return {};
 }
 
 }  // namespace
@@ -160,10 +237,39 @@ std::string with_plain_brackets(std::string_view text) {
 
 }  // namespace
 
+std::string_view suffix_of(ErrorMark mark) {
+    switch (mark) {
+        case ErrorMark::standard_deviation:
+            return "_sd";
+        case ErrorMark::standard_error:
+            return "_se";
+        case ErrorMark::half_width:
+            return "_u95";
+        case ErrorMark::none:
+            break;
+    }
+    return "";
+}
+
+ErrorMark bare_mark(const HeaderCell& cell) {
+    const std::string lower = in_lower_case(cell.name);
+    const auto found = std::ranges::find(spellings, lower, &Spelling::text);
+    if (cell.mark != ErrorMark::none || found == spellings.end()) return ErrorMark::none;
+    const bool may_be_anything = cell.unit.empty() && lower.size() > 3;
+    return may_be_anything ? ErrorMark::none : found->mark;
+}
+
 HeaderCell parse_header_cell(std::string_view written) {
     const std::string plain = with_plain_brackets(trimmed(written));
     std::string_view text = plain;
     if (text.ends_with("]:") || text.ends_with("):")) text.remove_suffix(1);
+    if (const Marked marked = leading_mark(text); !marked.rest.empty()) {
+        HeaderCell rest = parse_header_cell(marked.rest);
+        if (!rest.deviation() && is_quantity(rest.name, rest.unit)) {
+            rest.mark = marked.mark;
+            return rest;
+        }
+    }
     HeaderCell cell;
     std::string_view name = text;
     if (const std::size_t bracket = opening_bracket(text); bracket != std::string_view::npos) {

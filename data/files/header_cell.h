@@ -5,7 +5,7 @@
 
 namespace pendular {
 
-/// Meaning of a column of errors, by the mark at the end of its name.
+/// Meaning of a column of errors, by the mark in its name.
 enum class ErrorMark {
     none,                ///< the column has values, not errors
     standard_error,      ///< "_se": standard error of the value
@@ -22,9 +22,17 @@ struct HeaderCell {
     bool deviation() const { return mark != ErrorMark::none; }
 };
 
+/// "_sd" and the like, which `parse_header_cell` takes off a name; empty for none.
+std::string_view suffix_of(ErrorMark mark);
+
+/// Mark of a cell that is nothing but a mark, such as "±" or "Fehler [Pa]": errors of the column
+/// before it. Without a unit, "error" may be anything and is none.
+ErrorMark bare_mark(const HeaderCell& cell);
+
 /// Splits a header cell, which reads `name [unit]`, `name (unit)`, `name in unit`, `name / unit` or
 /// `name`; where the unit is one of the named quantity, also `name/unit`, `name, unit` or
-/// `name en unit`.
+/// `name en unit`. Marks of errors stand at the end ("tau_sd", "tau ±") or, where the rest names a
+/// quantity, at the beginning ("sd of tau", "u(tau)", "Fehler der Schubspannung").
 HeaderCell parse_header_cell(std::string_view text);
 
 /// Whether a text is a unit, such as "mN m"; an empty one is not.

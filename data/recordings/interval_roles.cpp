@@ -178,7 +178,7 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
                                        *own.angle)};
     if (own.load_ramp) return {"other", *own.load_ramp};
     if (own.unsteady) return {"other", *own.unsteady};
-    if (!own.has_speed) return {"steady", "sheared, at a speed that is not known"};
+    if (!own.has_speed) return {"steady", "sheared; the speed of the lid is not known"};
     return {"steady", "sheared" + (steps.empty() ? " at constant set points" : " in " + steps)};
 }
 

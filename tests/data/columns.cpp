@@ -1,5 +1,6 @@
 #include "data/files/columns.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,6 +58,31 @@ TEST(HeaderCell, IsTakenApart) {
     EXPECT_EQ(parts("shear_stress_u95"), "shear_stress||u95");
 }
 
+TEST(HeaderCell, HasAMarkOfErrorsAtEitherEndInSeveralLanguages) {
+    const auto parts = [](const char* text) {
+        const HeaderCell cell = parse_header_cell(text);
+        return fmt::format("{}|{}|{}", cell.name, cell.unit, suffix_of(cell.mark));
+    };
+    EXPECT_EQ(parts("sd shear stress [Pa]"), "shear stress|Pa|_sd");
+    EXPECT_EQ(parts("Error of the shear stress (kPa)"), "shear stress|kPa|_se");
+    EXPECT_EQ(parts("u(solid fraction)"), "solid fraction||_se");
+    EXPECT_EQ(parts("u(shear stress) / kPa"), "shear stress|kPa|_se");
+    EXPECT_EQ(parts("u(shear stress / kPa)"), "shear stress|kPa|_se");
+    EXPECT_EQ(parts("± shear stress [Pa]"), "shear stress|Pa|_se");
+    EXPECT_EQ(parts("Schubspannung ± [Pa]"), "Schubspannung|Pa|_se");
+    EXPECT_EQ(parts("Fehler der Schubspannung [Pa]"), "Schubspannung|Pa|_se");
+    EXPECT_EQ(parts("Schubspannung Standardabweichung [Pa]"), "Schubspannung|Pa|_sd");
+    EXPECT_EQ(parts("Incertitude de la contrainte de cisaillement [Pa]"),
+              "contrainte de cisaillement|Pa|_se");
+    EXPECT_EQ(parts("Écart-type contrainte de cisaillement [Pa]"),
+              "contrainte de cisaillement|Pa|_sd");
+    EXPECT_EQ(parts("Desviación estándar del par [mNm]"), "par|mNm|_sd");
+    // Neither a mark nor the errors of anything.
+    EXPECT_EQ(parts("Error code"), "Error code||");
+    EXPECT_EQ(parts("Set torque [mNm]"), "Set torque|mNm|");
+    EXPECT_EQ(parts("u (m/s)"), "u|m/s|");
+}
+
 class ColumnsOf : public testing::Test {
   protected:
     const Columns& read(const std::string& content) {
@@ -87,6 +113,26 @@ TEST_F(ColumnsOf, GiveDeviationsTheUnitOfTheirValue) {
     EXPECT_DOUBLE_EQ(*columns.standard_error(row(), "shear_stress"), 10);
     EXPECT_EQ(columns.standard_error(row(1), "shear_stress"), std::nullopt);
     EXPECT_EQ(columns.standard_error(row(), "torque"), std::nullopt);
+}
+
+TEST_F(ColumnsOf, FindErrorsOfTranslatedNamesAndBehindTheirValues) {
+    const auto names = [&](const std::string& header) {
+        Table table = read_table(folder_.write("t.csv", header + "\n1;2;3;4\n"));
+        use_names_of_quantities(table.header);
+        std::vector<std::string> all;
+        for (const Cell& cell : table.header.cells)
+            all.push_back(cell.text);
+        return all;
+    };
+    EXPECT_THAT(names("Schubspannung [kPa];Fehler Schubspannung [Pa];Feststoffanteil;±"),
+                ElementsAre("shear_stress [kPa]", "shear_stress_se [Pa]", "solid_fraction",
+                            "solid_fraction_se"));
+    EXPECT_THAT(names("Torque [mNm];error [uNm];Gap [mm];Error"),
+                ElementsAre("torque [mNm]", "torque_se [uNm]", "height [mm]", "Error"))
+        << "an error without a unit may be the code of a fault";
+    EXPECT_THAT(names("shear_stress [Pa];Torque [mNm];sd [Pa];x"),
+                ElementsAre("shear_stress [Pa]", "torque [mNm]", "sd [Pa]", "x"))
+        << "a torque has no error in Pa";
 }
 
 TEST_F(ColumnsOf, TranslateTheOtherInertialNumber) {

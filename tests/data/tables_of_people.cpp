@@ -287,7 +287,7 @@ TEST_F(TableOfPeople, NamesColumnsInUnknownUnits) {
         view("Time [s],Torque [mNm],Normal force [N],Gap [mm],Motor [Qx/min],Note [Qy]");
     ASSERT_EQ(speed.candidates.size(), 1u);
     EXPECT_EQ(speed.candidates[0].quantity, "rotational_speed");
-    EXPECT_EQ(speed.roles.at(0).reason, "sheared, at a speed that is not known");
+    EXPECT_EQ(speed.roles.at(0).reason, "sheared; the speed of the lid is not known");
     const FileView force = view("Time [s],Torque [mNm],Load [Qz],Gap [mm],Speed [rpm],Note [Qy]");
     ASSERT_EQ(force.candidates.size(), 1u);
     EXPECT_EQ(force.candidates[0].quantity, "normal_force");

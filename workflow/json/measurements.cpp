@@ -23,7 +23,8 @@ Json columns_json(const Block& block) {
         if (column.name.empty()) continue;
         columns.push_back({{"name", column.name},
                            {"unit", column.unit},
-                           {"quantity", column.quantity.empty() ? Json() : Json(column.quantity)}});
+                           {"quantity", column.quantity.empty() ? Json() : Json(column.quantity)},
+                           {"of_errors", column.of_errors}});
     }
     return columns;
 }

@@ -23,6 +23,7 @@ struct BlockColumn {
     /// Quantity whose set points the column contains, such as "normal_force"; empty for measured
     /// values.
     std::string set_point_of = {};
+    bool of_errors = false;  ///< whether it has errors of `quantity`, not its values
 };
 
 /// Key and value in the header of a file, such as "Stress constant" and "79577.5 Pa/N.m".

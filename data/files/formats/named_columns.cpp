@@ -47,19 +47,6 @@ std::string header_of(const std::string& quantity, std::string_view mark, const 
                         : fmt::format("{}{} [{}]", quantity, mark, unit);
 }
 
-std::string_view suffix_of(ErrorMark mark) {
-    switch (mark) {
-        case ErrorMark::standard_deviation:
-            return "_sd";
-        case ErrorMark::standard_error:
-            return "_se";
-        case ErrorMark::half_width:
-            return "_u95";
-        default:
-            return "";
-    }
-}
-
 void stop_using(Block& block, std::size_t index) {
     BlockColumn& column = block.columns[index];
     column.quantity.clear();

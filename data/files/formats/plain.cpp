@@ -82,11 +82,12 @@ Layout plain_layout() {
                 use_names_of_quantities(block.table.header);
                 for (std::size_t i = 0; i < written.cells.size(); ++i) {
                     const HeaderCell parts = parse_header_cell(written.cells[i].text);
-                    const Quantity* const quantity =
-                        find_quantity(parse_header_cell(block.table.header.cells[i].text).name);
+                    const HeaderCell named = parse_header_cell(block.table.header.cells[i].text);
+                    const Quantity* const quantity = find_quantity(named.name);
                     block.columns.push_back({parts.name, parts.unit,
                                              quantity ? std::string(quantity->name) : "",
-                                             std::string(set_point_of(parts.name, parts.unit))});
+                                             std::string(set_point_of(parts.name, parts.unit)),
+                                             quantity && named.deviation()});
                 }
                 read_comments(source, block.table.header.line, file);
                 file.delimiter = block.table.delimiter;
