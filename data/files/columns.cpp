@@ -153,7 +153,7 @@ std::optional<std::size_t> values_of_errors(const std::vector<HeaderCell>& cells
 void name_errors(Row& header, const std::vector<HeaderCell>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto values = values_of_errors(cells, i);
-        if (!values) continue;
+        if (!values || find_quantity(cells[i].name)) continue;
         const HeaderCell named = parse_header_cell(header.cells[*values].text);
         const Quantity* const quantity = find_quantity(named.name);
         const std::string& unit = cells[i].unit;

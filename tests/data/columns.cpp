@@ -128,10 +128,10 @@ TEST_F(ColumnsOf, FindErrorsOfTranslatedNamesAndBehindTheirValues) {
                 ElementsAre("shear_stress [kPa]", "shear_stress_se [Pa]", "solid_fraction",
                             "solid_fraction_se"));
     EXPECT_THAT(names("Torque [mNm];error [uNm];Gap [mm];Error"),
-                ElementsAre("torque [mNm]", "torque_se [uNm]", "height [mm]", "Error"))
+                ElementsAre("Torque [mNm]", "Torque_se [uNm]", "Gap [mm]", "Error"))
         << "an error without a unit may be the code of a fault";
     EXPECT_THAT(names("shear_stress [Pa];Torque [mNm];sd [Pa];x"),
-                ElementsAre("shear_stress [Pa]", "torque [mNm]", "sd [Pa]", "x"))
+                ElementsAre("shear_stress [Pa]", "Torque [mNm]", "sd [Pa]", "x"))
         << "a torque has no error in Pa";
 }
 
