@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "data/files/header_cell.h"
 #include "data/files/markup.h"
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
@@ -141,6 +142,8 @@ void check_header(const Table& table) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (cells[i].text.empty() || cells[i].text != cells[j].text) continue;
+            // Each stands for the errors of the values before it.
+            if (bare_mark(parse_header_cell(cells[i].text)) != ErrorMark::none) continue;
             throw InputError(
                 table.at_header(i),
                 fmt::format("column '{}' occurs twice; rename or remove one", cells[i].text));

@@ -47,7 +47,7 @@ constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::stan
                                   Spelling{"standardabweichung", ErrorMark::standard_deviation},
                                   Spelling{"écart-type", ErrorMark::standard_deviation},
                                   Spelling{"Écart-type", ErrorMark::standard_deviation},
-    Spelling{"ecart-type", ErrorMark::standard_deviation},
+                                  Spelling{"ecart-type", ErrorMark::standard_deviation},
                                   Spelling{"desviación estándar", ErrorMark::standard_deviation},
                                   Spelling{"desviacion estandar", ErrorMark::standard_deviation},
                                   Spelling{"deviazione standard", ErrorMark::standard_deviation},
@@ -255,8 +255,10 @@ ErrorMark bare_mark(const HeaderCell& cell) {
     const std::string lower = in_lower_case(cell.name);
     const auto found = std::ranges::find(spellings, lower, &Spelling::text);
     if (cell.mark != ErrorMark::none || found == spellings.end()) return ErrorMark::none;
-    const bool may_be_anything = cell.unit.empty() && lower.size() > 3;
-    return may_be_anything ? ErrorMark::none : found->mark;
+    constexpr std::array faults = {"error", "fehler", "erreur", "errore"};
+    const bool code_of_fault =
+        cell.unit.empty() && std::ranges::find(faults, lower) != faults.end();
+    return code_of_fault ? ErrorMark::none : found->mark;
 }
 
 HeaderCell parse_header_cell(std::string_view written) {

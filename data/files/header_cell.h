@@ -26,7 +26,7 @@ struct HeaderCell {
 std::string_view suffix_of(ErrorMark mark);
 
 /// Mark of a cell that is nothing but a mark, such as "±" or "Fehler [Pa]": errors of the column
-/// before it. Without a unit, "error" may be anything and is none.
+/// before it. Without a unit, "error" may be the code of a fault and is none.
 ErrorMark bare_mark(const HeaderCell& cell);
 
 /// Splits a header cell, which reads `name [unit]`, `name (unit)`, `name in unit`, `name / unit` or

@@ -127,6 +127,11 @@ TEST_F(ColumnsOf, FindErrorsOfTranslatedNamesAndBehindTheirValues) {
     EXPECT_THAT(names("Schubspannung [kPa];Fehler Schubspannung [Pa];Feststoffanteil;±"),
                 ElementsAre("shear_stress [kPa]", "shear_stress_se [Pa]", "solid_fraction",
                             "solid_fraction_se"));
+    EXPECT_THAT(names("Schubspannung [kPa];±;Feststoffanteil;±"),
+                ElementsAre("shear_stress [kPa]", "shear_stress_se", "solid_fraction",
+                            "solid_fraction_se"));
+    EXPECT_THAT(names("Contrainte de cisaillement [Pa];Incertitude [Pa];phi;Incertitude"),
+                ElementsAre("shear_stress [Pa]", "shear_stress_se [Pa]", "phi", "phi_se"));
     EXPECT_THAT(names("Torque [mNm];error [uNm];Gap [mm];Error"),
                 ElementsAre("Torque [mNm]", "Torque_se [uNm]", "Gap [mm]", "Error"))
         << "an error without a unit may be the code of a fault";
