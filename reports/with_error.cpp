@@ -56,7 +56,9 @@ std::string with_error(double value, double error) {
         return fmt::format("({:.{}f} +- {:.{}f})e{}", value / unit, exponent + digits, error / unit,
                            exponent + digits, exponent);
     }
-    return fmt::format("{:.{}f} +- {:.{}f}", value, digits, error, digits);
+    const double step = std::pow(10.0, power - 1);  // 10 and more have no decimals to leave out
+    const auto rounded = [&](double x) { return step > 1 ? step * std::round(x / step) : x; };
+    return fmt::format("{:.{}f} +- {:.{}f}", rounded(value), digits, rounded(error), digits);
 }
 
 std::string with_error(double value, double error, const std::string& unit) {

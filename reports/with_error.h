@@ -10,8 +10,8 @@ namespace pendular {
 /// least 0: 3 for 0.012.
 int decimals_for(double standard_error);
 
-/// Returns value and standard error, both rounded to the second significant digit of the error, but
-/// to whole numbers from 10 on: "0.097 +- 0.011", "(1.032 +- 0.012)e-6".
+/// Returns value and standard error, both rounded to the second significant digit of the error:
+/// "0.097 +- 0.011", "4300 +- 120", "(1.032 +- 0.012)e-6".
 std::string with_error(double value, double error);
 
 /// Returns value, standard error and unit. Lengths, forces, torques, pressures, surface tensions

@@ -251,4 +251,11 @@ TEST(WithError, IsReadableForSmallForces) {
     EXPECT_EQ(with_error(2e-3, 1e-4, "m^2"), "0.00200 +- 0.00010 m^2");
 }
 
+TEST(WithError, ShowsTwoDigitsOfALargeError) {
+    EXPECT_EQ(with_error(1000, 102), "1000 +- 100");
+    EXPECT_EQ(with_error(4327, 299), "4330 +- 300");
+    EXPECT_EQ(with_error(12353, 1240), "12400 +- 1200");
+    EXPECT_EQ(with_error(268.4, 62.7), "268 +- 63");
+}
+
 }  // namespace app_add_test
