@@ -33,7 +33,7 @@ void set_rows_aside(std::vector<Reading>& readings, const std::set<int>& lines, 
     std::erase_if(readings, [&](const Reading& reading) {
         const auto spoilt = lines_within(lines, reading.origin.line, reading.last_line);
         const auto rows =
-            static_cast<std::size_t>((reading.last_line - reading.origin.line) / averaged_rows + 1);
+            static_cast<std::size_t>((reading.last_line - reading.origin.line) / averaged_rows) + 1;
         if (100 * spoilt <= rows) return false;
         Remark& mark = marks.emplace_back(reading.remark(words.kind));
         mark.quantity = words.quantity;
