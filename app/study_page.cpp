@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "analysis/diagnosis/study_evidence.h"
 #include "data/input_error.h"
 #include "reports/next_steps.h"
 #include "reports/page/page_curves.h"

@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "calib/fit/least_squares.h"
-#include "calib/fit/reading_order.h"
+#include "calib/fit/measured.h"
 #include "data/input_error.h"
 #include "workflow/json/diagnosis.h"
 #include "workflow/json/fit.h"

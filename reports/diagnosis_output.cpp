@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "analysis/diagnosis/study_evidence.h"
 #include "data/remarks/wording.h"
 #include "reports/diagnosis_report.h"
 #include "reports/diagnosis_table.h"

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "calib/fit/calibration_notes.h"
-#include "calib/fit/reading_order.h"
+#include "calib/fit/measured.h"
 #include "data/recordings/reading_groups.h"
 #include "data/remarks/wording.h"
 #include "reports/failure_report.h"

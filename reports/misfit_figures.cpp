@@ -11,7 +11,7 @@
 #include <set>
 #include <string>
 
-#include "analysis/diagnosis/study_evidence.h"
+#include "analysis/misfit/checks.h"
 #include "data/quantities/number.h"
 #include "data/quantities/statistics.h"
 #include "reports/figure.h"

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "calib/fit/reading_order.h"
+#include "calib/fit/cohesion_lines.h"
 #include "data/quantities/number.h"
 #include "reports/figure.h"
 

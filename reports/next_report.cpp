@@ -7,7 +7,6 @@
 #include <iterator>
 #include <numbers>
 
-#include "analysis/diagnosis/study_evidence.h"
 #include "data/quantities/number.h"
 #include "data/study/study.h"
 #include "reports/figure.h"

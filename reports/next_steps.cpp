@@ -10,7 +10,6 @@
 #include <iterator>
 #include <utility>
 
-#include "analysis/diagnosis/study_evidence.h"
 #include "reports/diagnosis_table.h"
 #include "reports/direct_measurement.h"
 #include "reports/impact_report.h"
@@ -19,7 +18,6 @@
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "workflow/next.h"
-#include "workflow/odd_recording.h"
 #include "workflow/rivals.h"
 
 namespace pendular {

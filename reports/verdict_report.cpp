@@ -13,7 +13,6 @@
 #include "reports/with_error.h"
 #include "reports/words.h"
 #include "workflow/json/diagnosis.h"
-#include "workflow/odd_recording.h"
 
 namespace pendular {
 namespace {

@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "calib/fit/calibrate_study.h"
+#include "calib/fit/cohesion_lines.h"
 #include "calib/fit/predicted_readings.h"
-#include "calib/fit/reading_order.h"
 #include "calib/fit/structural_cohesion.h"
 #include "reports/figure_style.h"
 #include "reports/model_curve.h"

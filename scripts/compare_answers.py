@@ -26,8 +26,8 @@ RENAMED = {
     "predicted_drop": "predicted_reduction", "refit_drop": "refitted_reduction",
     "absorbed": "share_imitated",
 }  # fmt: skip
-PASSING_TEXT = re.compile(r"\bin \d+(\.\d+)? (s|min)\b|bead-steps/s")
-RUN_NAME = re.compile(r"[0-9a-f]{16}")  # a hash of the run and the time it took
+PASSING_TEXT = re.compile(r"\bin \d+(\.\d+)? (s|min)\b|bead-steps/s|computing time")
+RUN_NAMES = re.compile(r"[0-9a-f]{16}( [0-9a-f]{16})*")  # hashes of runs and the times they took
 
 
 def in_format_2(value):
@@ -69,7 +69,9 @@ def differences(before, after, exact, fresh, path=""):
 
 
 def both_name_runs(*values):
-    return all(isinstance(value, str) and RUN_NAME.fullmatch(value) for value in values)
+    """Whether both values are names of as many runs."""
+    named = all(isinstance(value, str) and RUN_NAMES.fullmatch(value) for value in values)
+    return named and len({len(value) for value in values}) == 1
 
 
 def of_text(before, after):

@@ -1,4 +1,4 @@
-#include "workflow/session.h"
+#include "workflow/confirm_diagnosis.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,14 +28,11 @@ double seconds_since(Clock::time_point start) {
 /// Largest number of models for which runs are made at a time, besides a simpler one. Chosen: the
 /// time is limited, and runs for many models sharpen none.
 constexpr std::size_t most_models = 3;
-/// Smallest share of the excess chi2 of the study's model that a simpler model than the best one
-/// must explain to stay in the running, however much worse it fits [1], as `most_of_misfit`.
-constexpr double nearly_all = 0.9;
 
 /// Models in the running, the best first: refitted models, or the study's model, whose criterion
 /// (ranking.h) is near that of the best. The best model with fewer effects stays in the running if
-/// it explains nearly all of the misfit: its remaining misfit may be an error of the emulator. Only
-/// runs for this model can correct such an error.
+/// it explains `most_of_misfit`, however much worse it fits: its remaining misfit may be an error
+/// of the emulator. Only runs for this model can correct such an error.
 std::vector<FittedModel> models_in_the_running(const Diagnosis& diagnosis) {
     std::vector<FittedModel> all = {diagnosis.base};
     std::ranges::copy_if(diagnosis.tried, std::back_inserter(all),
@@ -52,7 +49,7 @@ std::vector<FittedModel> models_in_the_running(const Diagnosis& diagnosis) {
         std::ranges::min(running, {}, [](const FittedModel& each) { return each.chosen.size(); });
     const auto simpler = std::ranges::find_if(all, [&](const FittedModel& each) {
         return each.chosen.size() < simplest.chosen.size() && diagnosis.excess() > 0 &&
-               diagnosis.base.fit.chi2 - each.fit.chi2 >= nearly_all * diagnosis.excess();
+               diagnosis.base.fit.chi2 - each.fit.chi2 >= most_of_misfit * diagnosis.excess();
     });
     if (simpler != all.end()) running.push_back(*simpler);
     return running;

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "calib/fit/measured.h"
 #include "calib/fit/predicted_readings.h"
-#include "calib/fit/reading_order.h"
 
 namespace pendular {
 

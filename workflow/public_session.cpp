@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "analysis/diagnosis/diagnosis.h"
-#include "calib/fit/reading_order.h"
+#include "calib/fit/measured.h"
 #include "data/input_error.h"
 #include "include/pendular/session.h"
 #include "sim/dem/simulation_error.h"

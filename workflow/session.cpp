@@ -6,6 +6,7 @@
 #include "calib/model/mohr_coulomb.h"
 #include "data/files/text_file.h"
 #include "data/input_error.h"
+#include "workflow/confirm_diagnosis.h"
 #include "workflow/json/fit.h"
 #include "workflow/rivals.h"
 

@@ -10,12 +10,10 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/diagnosis/inexact_diagnosis.h"
-#include "analysis/diagnosis/likely_discrepancy.h"
-#include "analysis/diagnosis/study_evidence.h"
 #include "analysis/misfit/compare.h"
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/calibration.h"
+#include "calib/fit/inexactness.h"
 #include "calib/fit/parameter_errors.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
@@ -228,6 +226,22 @@ double remaining_discrepancy(const StudyDiagnosis& d) {
         likely_discrepancy(d.evidence.measured, fit.prediction, conditions_of(d.readings));
     const double misfit = rms_percent(d.readings, fit.prediction.value)[0] / 100;
     return further > 0 && further < rougher * misfit ? std::hypot(d.discrepancy[0], further) : 0;
+}
+
+const FittedModel& explaining_model(const Diagnosis& d) {
+    if (d.leaders) return d.leaders->model;
+    const FittedModel* best = nullptr;
+    for (const FittedModel& each : d.confidence_set) {
+        if (each.suspect) continue;
+        if (each.chosen.empty()) return each;
+        if (!best || each.fit.chi2 < best->fit.chi2) best = &each;
+    }
+    return best ? *best : d.base;
+}
+
+std::optional<OddFile> odd_recording(const StudyDiagnosis& d) {
+    if (d.readings.size() != d.measured) return std::nullopt;
+    return odd_file(d.readings, explaining_model(d.diagnosis).fit.prediction.value);
 }
 
 }  // namespace pendular

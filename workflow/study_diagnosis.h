@@ -13,6 +13,7 @@
 #include "analysis/diagnosis/recording_evidence.h"
 #include "analysis/misfit/believable.h"
 #include "analysis/misfit/checks.h"
+#include "analysis/misfit/odd_file.h"
 #include "analysis/misfit/unit_mistakes.h"
 #include "analysis/proposals/propose.h"
 #include "calib/fit/stopping_rule.h"
@@ -47,7 +48,7 @@ struct StudyDiagnosis {
     Evidence evidence;
     /// Relative standard errors [1] of stress ratio and solid fraction that the models are expected
     /// to have: those of the study, or as much more as the best explanation of a misfit leaves
-    /// (`inexactness_left`).
+    /// (`diagnose_inexact`).
     std::array<double, 2> discrepancy{};
     Diagnosis diagnosis;  ///< verdict, tests and refitted models
     /// Column of the recordings that was probably read in a wrong unit, which would explain the
@@ -106,5 +107,13 @@ std::optional<ImpactTable> impacts_of(const StudyDiagnosis& diagnosis, std::size
 /// refitted model with the smallest chi2. Returns 0 if a model fits, if no discrepancy is
 /// significant, or if the misfit varies too quickly with the conditions.
 double remaining_discrepancy(const StudyDiagnosis& diagnosis);
+
+/// Returns the model that explains the readings of a diagnosis best: the study's where it does, or
+/// else the one with the effects that are missing.
+const FittedModel& explaining_model(const Diagnosis& diagnosis);
+
+/// Returns the file that deviates most from that model (`odd_file`); empty where the diagnosis
+/// tests means over several files.
+std::optional<OddFile> odd_recording(const StudyDiagnosis& diagnosis);
 
 }  // namespace pendular

@@ -11,8 +11,8 @@
 #include "analysis/misfit/live_misfit.h"
 #include "calib/fit/calibrate_study.h"
 #include "calib/fit/inexactness.h"
+#include "calib/fit/measured.h"
 #include "calib/fit/nearby_fit.h"
-#include "calib/fit/reading_order.h"
 #include "data/input_error.h"
 #include "workflow/rivals.h"
 

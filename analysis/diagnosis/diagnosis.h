@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "analysis/diagnosis/evidence.h"
 #include "analysis/diagnosis/verdict.h"
+#include "calib/model/study_model_space.h"
 
 namespace pendular {
 
@@ -45,5 +47,23 @@ inline constexpr double most_inexact = 10;
 /// Concludes anew from the tests of a diagnosis, with more that has a say in the verdict.
 void conclude_anew(Diagnosis& diagnosis, const ModelSpace& space, const DiagnosisOptions& options,
                    const Circumstances& circumstances);
+
+/// Diagnosis of a study, with the models and the discrepancy that led to it.
+struct InexactDiagnosis {
+    Diagnosis diagnosis;
+    StudyModelSpace models;
+    /// Relative standard errors [1] of stress ratio and solid fraction that the models are expected
+    /// to have.
+    std::array<double, 2> discrepancy;
+    Fit as_expected;  ///< of the study's model, with the discrepancy that is expected
+};
+
+/// Diagnoses a study with the discrepancy that it expects and, if its model is rejected and the
+/// likeliest explanation leaves more, again with that, since no model is exact: effects are judged
+/// against the lack of fit that remains with the best explanation. The first diagnosis stands
+/// where no model fits even so; the errors of its fits then allow for their `likely_inexactness`.
+InexactDiagnosis diagnose_inexact(const StudyModelSpace& models,
+                                  const std::array<double, 2>& discrepancy,
+                                  const Evidence& evidence, const DiagnosisOptions& options);
 
 }  // namespace pendular

@@ -11,6 +11,7 @@
 #include "analysis/misfit/compare.h"
 #include "analysis/misfit/null_draws.h"
 #include "calib/fit/fitted_model.h"
+#include "data/reading.h"
 
 namespace pendular {
 
@@ -38,6 +39,20 @@ struct Evidence {
     std::vector<std::vector<Eigen::Index>> conditions;
     std::vector<SuspectMeasurement> suspects;
 };
+
+/// Returns the input of a diagnosis: the readings, with errors estimated from replicates, then the
+/// direct measurements, with errors stated in study.toml.
+///
+/// Suspect measurements are the readings of each condition, those of each file, and the direct
+/// measurements of each parameter. If the files follow one another in time, the readings of each
+/// file but the first together with all later ones are also suspect, since an instrument may change
+/// between two recordings. An error of readings multiplies all their shear stresses by one factor
+/// and all their solid fractions by another.
+Evidence evidence_of(const std::vector<Reading>& readings, const ReplicateScatter& scatter,
+                     const std::vector<DirectMeasurement>& direct = {});
+
+/// Returns a text such as "300 Pa, I = 0.003, liquid content 0.03".
+std::string condition_text(const Condition& condition);
 
 /// Tests of one candidate effect, which the study's model lacks.
 struct Finding {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/diagnosis/evidence.h"
-#include "analysis/diagnosis/leaders.h"
+#include "analysis/diagnosis/explanations.h"
 
 // How a diagnosis decides. Tests, refits, proposals and doubts about the measurement come in; the
 // verdict, a decision on each effect, and what is said first go out. Which models fit is found in

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "analysis/diagnosis/evidence.h"
 #include "analysis/diagnosis/score_statistic.h"
-#include "analysis/diagnosis/study_evidence.h"
 
 namespace pendular {
 namespace {

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <tuple>
+
+#include "data/recordings/reading_groups.h"
 
 namespace pendular {
 namespace {
@@ -228,6 +231,152 @@ std::string_view to_string(Check::Kind kind) {
 Checks check_fit(const WeightedResiduals& residuals, const EntryKinds& kinds,
                  const std::vector<Covariate>& covariates, const NullDraws& draws) {
     return Checking(residuals, kinds, covariates, draws).run();
+}
+
+namespace {
+
+/// Entries of each condition, in separate groups for shear stress and solid fraction.
+std::vector<std::vector<Eigen::Index>> entries_by_condition(const std::vector<Reading>& readings) {
+    std::vector<std::vector<Eigen::Index>> result;
+    for (const auto& group : replicate_groups(readings)) {
+        for (const Eigen::Index observable : {0, 1}) {
+            std::vector<Eigen::Index> entries;
+            for (const std::size_t k : group) {
+                entries.push_back(2 * static_cast<Eigen::Index>(k) + observable);
+            }
+            result.push_back(std::move(entries));
+        }
+    }
+    return result;
+}
+
+/// Place of each reading, from 1, in the order in which the readings were taken: by time or, where
+/// one table contains no time, by line. Zeros where tables without times do not show the order.
+std::vector<double> run_order(const std::vector<Reading>& readings) {
+    const bool timed = std::ranges::any_of(
+        readings, [&](const Reading& r) { return r.condition.time != readings[0].condition.time; });
+    const bool one_file = std::ranges::all_of(
+        readings, [&](const Reading& r) { return r.origin.file == readings[0].origin.file; });
+    if (!timed && !one_file) return std::vector<double>(readings.size(), 0.0);
+    std::vector<std::size_t> places(readings.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::ranges::sort(places, {}, [&](std::size_t k) {
+        const Reading& r = readings[k];
+        return std::tuple(r.condition.time, r.origin.file, r.origin.line, r.step);
+    });
+    std::vector<double> order(readings.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        order[places[k]] = static_cast<double>(k + 1);
+    }
+    return order;
+}
+
+/// Height of the sample [m] that the model predicts for a reading: V/(A Phi_model). The measured
+/// height V/(A Phi) has the error of the measured solid fraction Phi.
+double predicted_height(const Reading& reading, double predicted_fraction) {
+    return reading.condition.height.value_or(0) * reading.value(1) / predicted_fraction;
+}
+
+/// Inertial number [1] of a reading at the predicted height; the shear rate is proportional to
+/// 1/height. A table that states the number has no error of the height in it.
+double predicted_inertial_number(const Reading& reading, double predicted_fraction) {
+    const double number = reading.condition.inertial_number;
+    return reading.condition.height && reading.shear_rate > 0
+               ? number * predicted_fraction / reading.value(1)
+               : number;
+}
+
+/// Quantity along which residuals are checked. The checks use ranks. If the error of a
+/// reading moved the rank of this reading, its residual would depend on its rank in a right model
+/// too. Of each reading, a quantity must therefore be free of the reading's own errors.
+struct CheckedQuantity {
+    enum class OwnErrors {
+        none,
+        /// Small, and averaged over the readings at a condition, which then have one rank.
+        averaged
+    };
+    std::string name;
+    OwnErrors errors;
+    std::function<double(std::size_t)> of_reading;
+};
+
+std::vector<CheckedQuantity> quantities_of(const std::vector<Reading>& readings,
+                                           const Eigen::VectorXd& predicted) {
+    using enum CheckedQuantity::OwnErrors;
+    const auto fraction = [&predicted](std::size_t k) {
+        return predicted(2 * static_cast<Eigen::Index>(k) + 1);
+    };
+    return {{"normal stress", averaged,
+             [&readings](std::size_t k) { return readings[k].condition.normal_stress; }},
+            {"inertial number", averaged,
+             [&readings, fraction](std::size_t k) {
+                 return predicted_inertial_number(readings[k], fraction(k));
+             }},
+            {"liquid content", none,
+             [&readings](std::size_t k) { return readings[k].condition.liquid_content; }},
+            {"height", averaged,
+             [&readings, fraction](std::size_t k) {
+                 return predicted_height(readings[k], fraction(k));
+             }},
+            {"time", none, [&readings](std::size_t k) { return readings[k].condition.time; }},
+            {"run order", none, [order = run_order(readings)](std::size_t k) { return order[k]; }}};
+}
+
+/// Values of a quantity for each reading, without the readings' own errors.
+Eigen::VectorXd values_of(const CheckedQuantity& quantity, const std::vector<Reading>& readings,
+                          const std::vector<std::vector<std::size_t>>& conditions) {
+    Eigen::VectorXd values(std::ssize(readings));
+    for (std::size_t k = 0; k < readings.size(); ++k)
+        values(static_cast<Eigen::Index>(k)) = quantity.of_reading(k);
+    if (quantity.errors == CheckedQuantity::OwnErrors::none) return values;
+    for (const auto& condition : conditions) {
+        const std::vector<Eigen::Index> members(condition.begin(), condition.end());
+        values(members).setConstant(values(members).mean());
+    }
+    return values;
+}
+
+}  // namespace
+
+std::vector<Covariate> covariates_of(const std::vector<Reading>& readings,
+                                     const Eigen::VectorXd& predicted, std::size_t direct) {
+    const auto conditions = replicate_groups(readings);
+    std::vector<Covariate> result;
+    for (const CheckedQuantity& quantity : quantities_of(readings, predicted)) {
+        const Eigen::VectorXd of_readings = values_of(quantity, readings, conditions);
+        const auto entries = static_cast<Eigen::Index>(2 * readings.size() + direct);
+        Covariate covariate{quantity.name, Eigen::VectorXd::Constant(entries, std::nan(""))};
+        for (Eigen::Index k = 0; k < of_readings.size(); ++k)
+            covariate.values.segment<2>(2 * k).setConstant(of_readings(k));
+        const double low = of_readings.minCoeff(), high = of_readings.maxCoeff();
+        // Quantities that vary by less than a tenth are constant set points with their scatter. The
+        // ranks of the times give the run order.
+        const bool known =
+            quantity.name == "run order" && !result.empty() && result.back().name == "time";
+        if (!known && high - low > 0.1 * std::max(std::abs(low), std::abs(high))) {
+            result.push_back(std::move(covariate));
+        }
+    }
+    return result;
+}
+
+EntryKinds entries_of(const std::vector<Reading>& readings,
+                      const std::vector<Parameter>& parameters, std::size_t direct) {
+    EntryKinds kinds{.observables = {"shear stress", "solid fraction"},
+                     .conditions = entries_by_condition(readings)};
+    for (const Parameter& parameter : parameters) {
+        kinds.parameters.push_back(parameter.name);
+    }
+    for (const Reading& reading : readings) {
+        kinds.observable.insert(kinds.observable.end(), {0, 1});
+        kinds.replicated |= reading.replicates > 1;
+    }
+    for (std::size_t k = 0; k < direct; ++k) {
+        // Each direct measurement is an observable and a condition of its own, without trends.
+        kinds.observable.push_back(kinds.observables.size() + k);
+        kinds.conditions.push_back({static_cast<Eigen::Index>(2 * readings.size() + k)});
+    }
+    return kinds;
 }
 
 }  // namespace pendular

@@ -6,6 +6,8 @@
 
 #include "analysis/misfit/null_draws.h"
 #include "analysis/misfit/weighted_residuals.h"
+#include "calib/model/model.h"
+#include "data/reading.h"
 
 namespace pendular {
 
@@ -57,6 +59,25 @@ struct EntryKinds {
     std::vector<std::string> parameters;  ///< names, in the order of WeightedResiduals::slopes()
     bool replicated = false;              ///< whether any reading has replicates
 };
+
+/// Returns the covariates along which residuals are tested for trends: normal stress, inertial
+/// number, liquid content, height, and time or run order, if the readings differ in it by more than
+/// 10 %. Values are in the order of the measured values.
+///
+/// No covariate has the errors of the reading itself: the residual of the solid fraction V/(A H)
+/// would depend on the measured height H, and on the inertial number at H, in a right model too.
+/// The height and the shear rate are therefore those at the predicted solid fraction, and readings
+/// at one condition have one normal stress, inertial number and height, their mean.
+/// @param predicted shear stress [Pa] and solid fraction [1] of each reading in turn; further
+///        entries are ignored
+/// @param direct number of direct measurements, which have the value NaN
+std::vector<Covariate> covariates_of(const std::vector<Reading>& readings,
+                                     const Eigen::VectorXd& predicted, std::size_t direct = 0);
+
+/// Returns the observable and the condition of each measured value: shear stress and solid fraction
+/// of each reading in turn, then the direct measurements.
+EntryKinds entries_of(const std::vector<Reading>& readings,
+                      const std::vector<Parameter>& parameters, std::size_t direct = 0);
 
 /// Tests at which conditions, and along which covariates, a model deviates from the readings beyond
 /// what a change of the calibrated parameters can imitate. All tests use the projected residuals P

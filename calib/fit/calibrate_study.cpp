@@ -10,10 +10,11 @@
 #include <utility>
 
 #include "calib/fit/calibration_notes.h"
+#include "calib/fit/cohesion_lines.h"
 #include "calib/fit/inexactness.h"
+#include "calib/fit/measured.h"
 #include "calib/fit/parameter_errors.h"
 #include "calib/fit/predicted_readings.h"
-#include "calib/fit/reading_order.h"
 #include "calib/fit/study_model.h"
 #include "calib/model/run_planner.h"
 #include "data/input_error.h"

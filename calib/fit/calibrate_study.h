@@ -9,7 +9,6 @@
 #include "calib/fit/calibrate.h"
 #include "calib/fit/calibration.h"
 #include "calib/fit/predicted_readings.h"
-#include "calib/fit/reading_order.h"
 #include "calib/model/predictor.h"
 #include "sim/catalogue/resolved_study.h"
 #include "sim/runs/ensemble.h"

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "calib/emulator/known_range.h"
-#include "calib/fit/reading_order.h"
+#include "calib/fit/measured.h"
 #include "calib/fit/stopping_rule.h"
 #include "data/input_error.h"
 

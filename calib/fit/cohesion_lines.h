@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,28 @@
 #include "data/study/study.h"
 
 namespace pendular {
+
+/// Group of wet readings with about equal liquid contents and inertial numbers, either all of
+/// steady shear or all points of failure (peaks of the shear stress).
+struct WetGroup {
+    std::vector<std::size_t> members;  ///< indices in the list of all readings
+    double liquid_content = 0;         ///< [1], mean of the members
+    double inertial_number = 0;        ///< [1], mean; 0 in the quasi-static limit
+    bool at_failure = false;           ///< rather than in steady shear
+};
+
+/// Groups the wet readings by liquid content and inertial number. Each member agrees with the first
+/// member of the group within 2 % in liquid content and within 20 % in inertial number.
+/// Quasi-static readings (inertial number 0) and points of failure form separate groups. The groups
+/// are sorted by liquid content, then by inertial number, then by steady shear before failure.
+std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
+
+/// Whether two values differ by at most `tolerance` [1] times the larger of their magnitudes.
+bool agree(double a, double b, double tolerance);
+
+/// Largest relative difference of inertial numbers between first and other members of a `WetGroup`.
+/// Chosen: wider than that of replicates, since the measured height and stress enter the number.
+constexpr double inertial_number_tolerance = 0.2;
 
 /// Overestimate of the stress ratio of a wet reading by a cohesion line that was not fitted to it.
 struct Overestimate {

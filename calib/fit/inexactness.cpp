@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "calib/model/discrepancy.h"
+
 namespace pendular {
 namespace {
 
@@ -11,9 +13,9 @@ namespace {
 /// times the one before: chosen, since no reading tells smaller steps apart.
 constexpr int steps = 4;
 
-/// Smallest gain of the logarithm of likelihood and prior at which more than the expected
-/// discrepancy is seen: p = 0.05 with the size at the bound of its range (half of chi2 with one
-/// degree of freedom beyond 2.71).
+/// Smallest gain of the log likelihood, with the prior where there is one, at which more
+/// discrepancy than expected is seen: p = 0.05 with the size at the bound of its range (half of
+/// chi2 with one degree of freedom beyond 2.71).
 constexpr double significant = 2.71 / 2;
 
 /// Residuals and derivatives, divided by the Cholesky factor of a covariance.
@@ -70,6 +72,33 @@ Inexactness likely_inexactness(const Measured& measured, const Prediction& predi
         if (value > to_beat) {
             to_beat = step == 0 ? value + significant : value;
             best = {factor, whitened.chi2(), whitened.log_determinant, prior};
+        }
+    }
+    return best;
+}
+
+namespace {
+
+/// Sizes that are compared: from 0.05 % to 17 %, each a quarter larger than the one before.
+constexpr double least_size = 0.0005, larger = 1.25;
+constexpr int sizes = 27;  // up to 0.0005 x 1.25^26 = 0.17
+
+}  // namespace
+
+double likely_discrepancy(const Measured& measured, const Prediction& prediction,
+                          const std::vector<Condition>& conditions) {
+    const Eigen::MatrixXd errors = measured.covariance + prediction.covariance;
+    const Eigen::MatrixXd unit = discrepancy_covariance(conditions, prediction.value, {1, 0});
+    const Eigen::VectorXd residuals = measured.value - prediction.value;
+    const double exact = restricted_log_likelihood(errors, residuals, prediction.jacobian);
+    double best = 0, highest = exact + significant;
+    for (int k = 0; k < sizes; ++k) {
+        const double size = least_size * std::pow(larger, k);
+        const double value =
+            restricted_log_likelihood(errors + size * size * unit, residuals, prediction.jacobian);
+        if (value > highest) {
+            highest = value;
+            best = size;
         }
     }
     return best;

@@ -3,8 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "calib/fit/least_squares.h"
+#include "calib/fit/measured.h"
 #include "calib/model/model.h"
+#include "data/reading.h"
 
 // How inexact a model is, from the residuals that it leaves. Replicates share an error of the model
 // at their condition, so that it shows as a lack of fit beyond their scatter, which no single
@@ -48,5 +49,14 @@ struct Inexactness {
 Inexactness likely_inexactness(const Measured& measured, const Prediction& prediction,
                                const std::vector<bool>& at_bound = {},
                                double largest = largest_inexactness);
+
+/// Returns the most likely relative error [1] of a model's shear stress (discrepancy), from the
+/// residuals of its fit: the size between 0.05 % and 17 % with the largest restricted likelihood,
+/// or 0 if it is not significant (p > 0.05). Errors at two conditions have the correlation
+/// `discrepancy_correlation`.
+/// @param conditions conditions of the readings, which come first in `measured`
+/// Source: Patterson and Thompson, Biometrika 58 (1971) 545.
+double likely_discrepancy(const Measured& measured, const Prediction& prediction,
+                          const std::vector<Condition>& conditions);
 
 }  // namespace pendular

@@ -4,11 +4,9 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "calib/fit/measured.h"
 #include "calib/model/model.h"
-#include "data/reading.h"
-#include "sim/catalogue/resolved_study.h"
 
 // Search for the least chi2 with constant weights, on which fits, refits and profiles rest: Ceres
 // comes near the minimum, and Gauss-Newton steps locate it where chi2 is too flat for Ceres.
@@ -29,26 +27,6 @@ struct FitEffort {
     /// at the bounds of the parameters.
     bool elsewhere = true;
 };
-
-/// Measured values with the covariance of their errors: shear stress [Pa] and solid fraction [1] of
-/// each reading in turn, then direct measurements, each in the unit of its parameter.
-struct Measured {
-    Eigen::VectorXd value;
-    /// Covariance of the errors, with the estimated scatter of replicates as if it were exact.
-    Eigen::MatrixXd covariance;
-    /// Addition to `covariance` if few replicates determine the scatter; may be empty.
-    Eigen::MatrixXd widening = {};
-    /// Entries whose error is so large that they tell nothing, such as the solid fraction of a bed
-    /// that creeps: they are no degrees of freedom.
-    std::vector<Eigen::Index> unknown = {};
-
-    /// Returns the number of values that tell something.
-    Eigen::Index informative() const { return value.size() - std::ssize(unknown); }
-};
-/// Returns the values of readings, followed by direct measurements, with the covariance of all
-/// errors, including those that several readings share, such as the error of a filling.
-Measured stack(const std::vector<Reading>& readings,
-               const std::vector<DirectMeasurement>& direct = {});
 
 /// Whitening of residuals and derivatives: multiplication by the inverse Cholesky factor of a
 /// covariance.

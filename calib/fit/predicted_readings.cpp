@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "calib/fit/reading_order.h"
+#include "calib/fit/measured.h"
 #include "data/input_error.h"
 
 namespace pendular {

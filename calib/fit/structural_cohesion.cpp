@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "calib/fit/reading_order.h"
 #include "calib/model/closure_model.h"
 #include "sim/closures/closure_values.h"
 

@@ -17,7 +17,7 @@
 #include "data/quantities/number.h"
 #include "data/quantities/units.h"
 #include "data/recordings/column_kinds.h"
-#include "data/recordings/interval_steps.h"
+#include "data/recordings/steps.h"
 #include "data/recordings/test_kinds.h"
 
 namespace pendular {

@@ -11,9 +11,9 @@
 #include "data/files/formats/layouts.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/column_kinds.h"
-#include "data/recordings/interval_steps.h"
 #include "data/recordings/plausibility.h"
 #include "data/recordings/step_series.h"
+#include "data/recordings/steps.h"
 #include "data/recordings/test_kinds.h"
 #include "data/recordings/time_series.h"
 

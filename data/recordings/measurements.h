@@ -15,6 +15,13 @@ namespace pendular {
 ///         values
 Measurements read_measurements(const Study& study);
 
+/// Removes the readings of a recording that its faults spoil, and returns a remark on each: all of
+/// a recording with a wrong or constant column, otherwise those of which more than 1 in 100 rows
+/// contradict each other or are saturated, since the mean over the other rows may be biased.
+/// @param faults decided remarks on the recording
+std::vector<Remark> set_spoilt_aside(std::vector<Reading>& readings,
+                                     const std::vector<Remark>& faults, int averaged_rows);
+
 /// Reads a table of readings in the format of `write_readings`, and returns them in the order of
 /// the rows. Columns of the table:
 /// - Required: normal_stress, shear_stress (magnitude) or stress_ratio, solid_fraction or

@@ -54,12 +54,6 @@ Recording recording_of(const BlockFile& file, const FileFormat& format);
 /// @throws InputError for forces on a lever if the cell states no arm
 void fill_from_stresses(Recording& recording, const AnnularCell& cell);
 
-/// Splits a recording into steps, in the order of the rows. A step begins at each new value in the
-/// column interval, and at each new constant value of angular velocity or normal force: one that
-/// lasts at least `shortest_step` rows and differs from the old value by more than 5 % and by more
-/// than the noise.
-std::vector<Step> split_steps(const Recording& recording);
-
 /// Smallest number of rows that a step must have to be averaged. Chosen: fewer tell neither the end
 /// of a transient nor the autocorrelation.
 constexpr std::size_t shortest_step = 20;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "data/annular_cell.h"
 #include "data/reading.h"
-#include "data/recordings/findings/recorded_step.h"
 #include "data/recordings/recording.h"
+#include "data/recordings/steps.h"
 #include "data/study/study.h"
 
 namespace pendular {
@@ -23,6 +26,14 @@ class RunClock {
   private:
     double shift_ = 0, last_ = 0;
 };
+
+/// Finds the steps of a recording whose gap creeps while the torque is steady, and takes the steady
+/// part of their torque for that of the step. One short step tells little, and one in a hundred
+/// steady gaps counts as not steady by chance. A gap that is not steady therefore creeps if it
+/// changes by more than 4 standard errors, if it and the gap of another such step change by more
+/// than 2 in one sense, or if it changes in the sense in which the gaps of the whole recording
+/// drift (`drift_tests`, p < 0.005).
+void find_creep(const std::string& file, std::vector<RecordedStep>& steps);
 
 /// Returns one reading for each step of a recording, the mean over its steady part, in the order of
 /// the steps. Remarks list spikes, transients and unusable steps, such as those whose steady part

@@ -1,3 +1,5 @@
+#include "data/recordings/steps.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -5,7 +7,7 @@
 #include <utility>
 
 #include "data/quantities/statistics.h"
-#include "data/recordings/recording.h"
+#include "data/recordings/time_series.h"
 
 namespace pendular {
 namespace {
@@ -153,6 +155,11 @@ std::vector<Step> steps_within(const Recording& recording, const Step& interval)
     return steps;
 }
 
+bool all_known(const std::vector<double>& values, std::size_t size) {
+    return values.size() == size &&
+           std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
 }  // namespace
 
 std::vector<Step> split_steps(const Recording& recording) {
@@ -163,6 +170,47 @@ std::vector<Step> split_steps(const Recording& recording) {
     for (const Step& interval : between(boundaries, recording.size()))
         std::ranges::copy(steps_within(recording, interval), std::back_inserter(steps));
     return steps;
+}
+
+std::vector<Step> steps_of(const IntervalSeries& series) {
+    Recording recording;
+    recording.angular_velocity = series.angular_velocity;
+    recording.normal_force = series.normal();
+    if (!all_known(recording.angular_velocity, series.size()) ||
+        !all_known(recording.normal_force, series.size()))
+        return {{.begin = 0, .end = series.size()}};
+    recording.line = series.line;
+    return split_steps(recording);
+}
+
+void find_periods(RecordedStep& step) {
+    const auto part = level_part(step);
+    if (!part) return;
+    step.periodic = periodic_columns(*part);
+    if (step.steady) step.beyond_whole_turns = whole_turns_begin(*part, step.periodic);
+}
+
+std::vector<RecordedStep> recorded_steps(const Recording& recording) {
+    std::vector<RecordedStep> result;
+    for (const Step& rows : split_steps(recording)) {
+        RecordedStep step{.rows = rows,
+                          .number = static_cast<int>(result.size()) + 1,
+                          .series = step_series(recording, rows)};
+        step.spikes = take_out_spikes(step.series);
+        step.lid_turns = turns(mean_of_correlated(step.series.angular_velocity));
+        if (step.series.size() >= shortest_step && step.lid_turns)
+            step.steady = end_of_transient(step.series, step.unsteady);
+        find_periods(step);
+        result.push_back(std::move(step));
+    }
+    return result;
+}
+
+std::optional<StepSeries> level_part(const RecordedStep& step) {
+    if (!step.lid_turns) return std::nullopt;
+    const std::size_t begin = step.steady.value_or(step.series.size() / 2);
+    if (step.series.size() - begin < shortest_step) return std::nullopt;
+    return step.series.from(begin);
 }
 
 }  // namespace pendular

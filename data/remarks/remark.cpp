@@ -24,7 +24,8 @@ constexpr Rule found(Kind kind, const char* name) {
     return {kind, Outcome::found, Outcome::found, name};
 }
 
-// Of a reading with many saturated rows, `set_spoilt_aside` (recordings/mark.cpp) says more.
+// Of a reading with many saturated rows, `set_spoilt_aside` (recordings/measurements.cpp) says
+// more.
 constexpr std::array rules = {found(Kind::saturation, "saturation"),
                               found(Kind::level_change, "level-change"),
                               found(Kind::wobble, "wobble"),

@@ -9,7 +9,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/diagnosis/study_evidence.h"
 #include "data/input_error.h"
 #include "reports/diagnosis_table.h"
 #include "reports/effect_pages.h"

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <set>
 
-#include "analysis/diagnosis/study_evidence.h"
 #include "data/remarks/wording.h"
 #include "reports/diagnosis_report.h"
 #include "reports/failure_report.h"

@@ -9,8 +9,8 @@
 #include "data/input_error.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/autoregression.h"
-#include "data/recordings/findings/recorded_step.h"
 #include "data/recordings/recording.h"
+#include "data/recordings/steps.h"
 #include "data/recordings/time_series.h"
 
 namespace pendular {

@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "calib/fit/least_squares.h"
+#include "calib/fit/measured.h"
 #include "calib/model/discrepancy.h"
 #include "tests/support/golden.h"
 

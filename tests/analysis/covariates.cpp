@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "analysis/diagnosis/study_evidence.h"
+#include "analysis/diagnosis/evidence.h"
 #include "analysis/diagnosis/where_it_fails.h"
 
 namespace covariates_test {

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "analysis/diagnosis/study_evidence.h"
+#include "analysis/diagnosis/evidence.h"
 #include "analysis/left_out.h"
 #include "analysis/misfit/compare.h"
 #include "calib/fit/calibration.h"

@@ -6,6 +6,7 @@
 #include "data/recordings/file_view.h"
 #include "data/recordings/measurements.h"
 #include "data/recordings/recording.h"
+#include "data/recordings/steps.h"
 #include "tests/support/golden.h"
 #include "tests/support/ordinary_studies.h"
 

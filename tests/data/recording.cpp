@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "data/recordings/steps.h"
 #include "tests/support/golden.h"
 
 namespace pendular::data_recording_test {

@@ -2,6 +2,7 @@
 
 #include "data/files/columns.h"
 #include "data/recordings/recording.h"
+#include "data/recordings/steps.h"
 #include "data/study/study.h"
 #include "tests/support/data_support.h"
 

@@ -1,7 +1,5 @@
 #include "data/recordings/steady_state.h"
 
-#include "data/recordings/findings/creep.h"
-
 #include <cmath>
 
 #include "tests/support/golden.h"

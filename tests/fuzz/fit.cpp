@@ -1,6 +1,6 @@
 // Calibrations that are read back: fit.json, ladder.json and proposed.toml of a study's results.
 #include "workflow/json/fit.h"
-#include "calib/fit/reading_order.h"
+#include "calib/fit/measured.h"
 #include "sim/catalogue/resolved_study.h"
 #include "tests/fuzz/support.h"
 #include "workflow/proposed_effects.h"

@@ -1,5 +1,6 @@
 // Recordings: a table of a rheometer, and its steps.
 #include "data/recordings/recording.h"
+#include "data/recordings/steps.h"
 
 #include "tests/fuzz/support.h"
 

@@ -4,7 +4,7 @@
 // condition, and by the scatter of two replicates. Seeds are fixed.
 #include <gtest/gtest.h>
 
-#include "analysis/diagnosis/inexact_diagnosis.h"
+#include "analysis/diagnosis/diagnosis.h"
 #include "tests/physics/planted_readings.h"
 
 namespace pendular::inexact_models_test {

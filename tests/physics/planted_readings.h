@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnosis/study_evidence.h"
+#include "analysis/diagnosis/evidence.h"
 #include "calib/model/study_model_space.h"
 #include "tests/support/effect_study.h"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "calib/fit/reading_order.h"
+#include "calib/fit/measured.h"
 #include "tests/support/data_support.h"
 #include "workflow/session.h"
 

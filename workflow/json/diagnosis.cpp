@@ -4,13 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/diagnosis/study_evidence.h"
 #include "data/files/json_text.h"
 #include "data/files/text_file.h"
 #include "data/study/study.h"
 #include "workflow/json/parts.h"
 #include "workflow/json/training_runs.h"
-#include "workflow/odd_recording.h"
 #include "workflow/proposed_effects.h"
 #include "workflow/rivals.h"
 

@@ -7,7 +7,7 @@
 
 #include "data/annular_cell.h"
 #include "data/reading.h"
-#include "data/recordings/findings/recorded_step.h"
+#include "data/recordings/steps.h"
 #include "data/remarks/remark.h"
 
 namespace pendular {

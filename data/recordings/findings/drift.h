@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "data/recordings/findings/recorded_step.h"
+#include "data/recordings/steps.h"
 #include "data/remarks/remark.h"
 
 namespace pendular {

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "data/reading.h"
 #include "data/study/study.h"
+#include "sim/catalogue/resolved_study.h"
 
+// What a fit is given: the readings of a study in the order of a calibration, and their values with
+// the covariance of all errors.
 namespace pendular {
 
 /// Returns the readings of a study in the order of a calibration: dry readings, then wet readings,
@@ -32,26 +37,24 @@ std::size_t dry_count(const std::vector<Reading>& readings);
 /// Returns the readings with indices `from` to `to` - 1.
 std::vector<Reading> part(const std::vector<Reading>& readings, std::size_t from, std::size_t to);
 
-/// Group of wet readings with about equal liquid contents and inertial numbers, either all of
-/// steady shear or all points of failure (peaks of the shear stress).
-struct WetGroup {
-    std::vector<std::size_t> members;  ///< indices in the list of all readings
-    double liquid_content = 0;         ///< [1], mean of the members
-    double inertial_number = 0;        ///< [1], mean; 0 in the quasi-static limit
-    bool at_failure = false;           ///< rather than in steady shear
+/// Measured values with the covariance of their errors: shear stress [Pa] and solid fraction [1] of
+/// each reading in turn, then direct measurements, each in the unit of its parameter.
+struct Measured {
+    Eigen::VectorXd value;
+    /// Covariance of the errors, with the estimated scatter of replicates as if it were exact.
+    Eigen::MatrixXd covariance;
+    /// Addition to `covariance` if few replicates determine the scatter; may be empty.
+    Eigen::MatrixXd widening = {};
+    /// Entries whose error is so large that they tell nothing, such as the solid fraction of a bed
+    /// that creeps: they are no degrees of freedom.
+    std::vector<Eigen::Index> unknown = {};
+
+    /// Returns the number of values that tell something.
+    Eigen::Index informative() const { return value.size() - std::ssize(unknown); }
 };
-
-/// Groups the wet readings by liquid content and inertial number. Each member agrees with the first
-/// member of the group within 2 % in liquid content and within 20 % in inertial number.
-/// Quasi-static readings (inertial number 0) and points of failure form separate groups. The groups
-/// are sorted by liquid content, then by inertial number, then by steady shear before failure.
-std::vector<WetGroup> wet_groups(const std::vector<Reading>& readings);
-
-/// Whether two values differ by at most `tolerance` [1] times the larger of their magnitudes.
-bool agree(double a, double b, double tolerance);
-
-/// Largest relative difference of inertial numbers between first and other members of a `WetGroup`.
-/// Chosen: wider than that of replicates, since the measured height and stress enter the number.
-constexpr double inertial_number_tolerance = 0.2;
+/// Returns the values of readings, followed by direct measurements, with the covariance of all
+/// errors, including those that several readings share, such as the error of a filling.
+Measured stack(const std::vector<Reading>& readings,
+               const std::vector<DirectMeasurement>& direct = {});
 
 }  // namespace pendular

@@ -5,10 +5,22 @@
 #include <vector>
 
 #include "data/recordings/findings/harmonics.h"
+#include "data/recordings/interval_series.h"
 #include "data/recordings/recording.h"
 #include "data/recordings/step_series.h"
 
+// From rows to steps of constant set points, each with the part of it that is steady.
 namespace pendular {
+
+/// Splits a recording into steps, in the order of the rows. A step begins at each new value in the
+/// column interval, and at each new constant value of angular velocity or normal force: one that
+/// lasts at least `shortest_step` rows and differs from the old value by more than 5 % and by more
+/// than the noise.
+std::vector<Step> split_steps(const Recording& recording);
+
+/// Returns the steps of constant speed and load in an interval, as a study splits it
+/// (`split_steps`); one where some speeds or loads are unknown.
+std::vector<Step> steps_of(const IntervalSeries& series);
 
 /// One step of a recording: data points without spikes, and the end of the transient.
 struct RecordedStep {
