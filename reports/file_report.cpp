@@ -15,9 +15,11 @@
 #include "data/files/column_names.h"
 #include "data/files/formats/named_columns.h"
 #include "data/files/header_cell.h"
+#include "data/files/sheet_path.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
+#include "data/recordings/column_kinds.h"
 #include "data/recordings/test_kinds.h"
 #include "data/remarks/wording.h"
 #include "reports/locus_report.h"
@@ -216,18 +218,105 @@ std::string why_not(const BlockColumn& column) {
 
 }  // namespace
 
+namespace {
+
+bool lacks(const FileView& view, std::string_view name) {
+    return std::ranges::find(view.missing, name) != view.missing.end();
+}
+
+/// How study.toml names a file in [[readings]]: a sheet by a key of its own.
+std::string file_in_study(const std::filesystem::path& path) {
+    if (const auto part = as_sheet(path))
+        return fmt::format("file = \"{}\" and sheet = \"{}\"", part->book.filename().string(),
+                           part->sheet);
+    return fmt::format("file = \"{}\"", path.filename().string());
+}
+
+/// Meanings of the quantities that a column may be.
+std::string possible_meanings(const BlockColumn& column, const FileView& view) {
+    std::vector<std::string> meanings;
+    for (const std::string_view each : possible_quantities(column, view))
+        meanings.push_back(fmt::format("the {}", quantity(each).meaning));
+    constexpr std::size_t most = 2;
+    if (meanings.empty() || meanings.size() > most) return "one of these";
+    return fmt::format("{}", fmt::join(meanings, ", or "));
+}
+
+/// Advice on a column that is not used although it may be what is missing.
+std::string candidate_sentence(const BlockColumn& column, const FileView& view) {
+    const std::string meanings = possible_meanings(column, view);
+    if (unit_fits(column.unit, column.quantity))
+        // Units of the other layouts stand in a row of their own.
+        return fmt::format(
+            "Column '{} [{}]' is not used; if it is {}, state it in [[recording]], or for one "
+            "file by --columns: {}",
+            column.name, column.unit, meanings,
+            line_to_name(column.quantity, column.name, column.unit));
+    std::string text =
+        fmt::format("Column '{} [{}]' is not used: {}", column.name, column.unit, why_not(column));
+    if (!text.ends_with('?')) text += '.';
+    // A unit that is no unit may be one in another language.
+    if (!is_unit(column.unit))
+        text += fmt::format(
+            " If it is {}, state it with its unit, in [[recording]], or for one file by "
+            "--columns: {}.",
+            meanings, line_to_name(column.quantity, column.name, usual_unit(column.quantity)));
+    return text;
+}
+
+/// Advice on columns of results, of which no study is made; empty if there are none.
+std::string results_sentence(const FileView& view) {
+    std::vector<std::string> names;
+    for (const BlockColumn& column : view.file.blocks.front().columns)
+        if (column.quantity.empty() && names_result_of_locus(column)) names.push_back(column.name);
+    if (names.empty()) return "";
+    return fmt::format(
+        "Its columns '{}' are results of yield loci, of which no study is made: export the points "
+        "of failure, with their normal and shear stresses.",
+        fmt::join(names, "', '"));
+}
+
+/// Advice on a file whose load differs from row to row; empty for others.
+std::string rows_sentence(const FileView& view) {
+    if (view.series.size() != 1 || !loads_differ_by_row(view.series.front())) return "";
+    const IntervalSeries& series = view.series.front();
+    if (series.shear_stress.empty() || series.normal_stress.empty()) return "";
+    if (lacks(view, "time") && lacks(view, "gap") && lacks(view, "speed of the lid")) return "";
+    if (lacks(view, "time"))
+        return "If each row is the mean of steady shear, name the file in [[readings]] of "
+               "study.toml, with columns of the normal stress, the shear stress, the solid "
+               "fraction "
+               "or bulk density, and the shear rate or inertial number.";
+    return "If each row is one test, leave out the column of times, or call it otherwise: the file "
+           "is then a table of points of failure.";
+}
+
+/// Advice where no interval has all columns of steady shear.
+std::string advice_on_missing(const FileView& view) {
+    if (!view.loci.empty()) return "Its points of failure need only the stresses.";
+    if (const std::string results = results_sentence(view); !results.empty()) return results;
+    const std::string rows = rows_sentence(view);
+    return rows.empty() ? "Export these columns too." : rows;
+}
+
+/// Adds a sentence to others, of which the last may end with a line to paste.
+void add_sentence(std::string& text, const std::string& sentence) {
+    if (!text.ends_with('.') && !text.ends_with('?')) text += '.';
+    text += ' ' + sentence;
+}
+
+}  // namespace
+
 std::string missing_sentence(const FileView& view) {
     if (shows_readings(view))
         return fmt::format(
-            "The file has all that a table of readings needs: write file = \"{}\" "
-            "below [[readings]] in study.toml.",
-            std::filesystem::path(view.file.file).filename().string());
-    const auto lacks = [&](const char* name) {
-        return std::ranges::find(view.missing, name) != view.missing.end();
-    };
+            "The file has all that a table of readings needs: write {} below [[readings]] in "
+            "study.toml.",
+            file_in_study(view.file.file));
     const bool other_tests = std::ranges::all_of(
         view.roles, [](const IntervalRole& each) { return each.role == "other"; });
-    if (other_tests && !lacks("torque or shear stress") && !lacks("normal force or normal stress"))
+    if (other_tests && !lacks(view, "torque or shear stress") &&
+        !lacks(view, "normal force or normal stress"))
         return "No interval is steady shear or shear to failure: a study reads nothing of this "
                "file.";
     if (view.missing.empty() || view.file.layout == "yield-locus-report" || !view.walls.empty())
@@ -235,35 +324,14 @@ std::string missing_sentence(const FileView& view) {
     std::string text = fmt::format(
         "The file has no {}: steady shear with a solid fraction cannot be read from it.",
         fmt::join(view.missing, ", no "));
-    if (!view.loci.empty())
-        text += " Its points of failure need only the stresses.";
-    else
-        text += " Export these columns too.";
+    add_sentence(text, advice_on_missing(view));
     constexpr std::size_t most = 4;  // of many columns in pascals, none is more likely than another
-    for (const BlockColumn& column : view.candidates | std::views::take(most)) {
-        if (column.quantity == "interval") continue;  // not missing
-        if (!unit_fits(column.unit, column.quantity)) {
-            text += fmt::format(" Column '{} [{}]' is not used: {}", column.name, column.unit,
-                                why_not(column));
-            if (!text.ends_with('?')) text += '.';
-            // A unit that is no unit may be one in another language.
-            if (!is_unit(column.unit))
-                text += fmt::format(
-                    " If it is the {}, state it with its unit, in [[recording]], or for one file "
-                    "by --columns: {}.",
-                    quantity(column.quantity).meaning,
-                    line_to_name(column.quantity, column.name, usual_unit(column.quantity)));
-            continue;
-        }
-        // Units of the other layouts stand in a row of their own.
-        text += fmt::format(
-            " Column '{} [{}]' is not used; if it is the {}, state it in [[recording]], or for one "
-            "file by --columns: {}",
-            column.name, column.unit, quantity(column.quantity).meaning,
-            line_to_name(column.quantity, column.name, column.unit));
-    }
+    for (const BlockColumn& column : view.candidates | std::views::take(most))
+        if (column.quantity != "interval")  // not missing
+            add_sentence(text, candidate_sentence(column, view));
     if (view.candidates.size() > most)
-        text += fmt::format(" {} further columns are not used.", view.candidates.size() - most);
+        add_sentence(
+            text, fmt::format("{} further columns are not used.", view.candidates.size() - most));
     return text;
 }
 
@@ -363,10 +431,7 @@ std::string unused_reason(const FileView& view) {
             "reverse the sign of the column in the file";
     if (sheared && !view.missing.empty())
         reason = fmt::format("it has no {}", fmt::join(view.missing, ", no "));
-    const auto lacks = [&](const char* name) {
-        return std::ranges::find(view.missing, name) != view.missing.end();
-    };
-    if (sheared && lacks("time") && lacks("speed of the lid") && lacks("gap"))
+    if (sheared && lacks(view, "time") && lacks(view, "speed of the lid") && lacks(view, "gap"))
         reason +=
             ", and is no table of points of failure: that has normal and shear stresses, in at "
             "least three rows whose normal stresses differ";
@@ -412,12 +477,16 @@ Output file_output(const FileView& view, bool all, bool is_answer) {
                 "intervals, name it by --columns or in [[recording]], columns = {{ interval = "
                 "\"{0}\" }}",
                 column.name));
-    for (const auto& [quantity_name, column] : view.by_unit)
+    for (const auto& [quantity_name, column] : view.by_unit) {
+        const bool clock = !unit_fits(parse_header_cell(column).unit, quantity_name) ||
+                           parse_header_cell(column).unit.empty();
         output.note(fmt::format(
-            "Column '{}' is read as the {}, since no other has a unit of it; if it is something "
-            "else, name the right one by --columns or in [[recording]], as in columns = {{ {} = "
-            "\"{}\" }}",
-            column, quantity(quantity_name).meaning, quantity_name, column));
+            "Column '{}' is read as the {}, since {}; if it is something else, name the right one "
+            "by --columns or in [[recording]], as in columns = {{ {} = \"{}\" }}",
+            column, quantity(quantity_name).meaning,
+            clock ? "it has clock times and no other has times" : "no other has a unit of it",
+            quantity_name, column));
+    }
     return output;
 }
 

@@ -49,12 +49,12 @@ for golden in tests/golden/*/*.txt; do
   done | grep . && broken=1
 done
 
-# Misspelt names that tests give on purpose, the typedef of valijson, and words of French exports are
+# Misspelt names that tests give on purpose, the typedef of valijson, and words of exports in other languages are
 # no mistakes.
 if command -v codespell >/dev/null; then
   find data sim calib analysis workflow reports app python include bench tests docs examples scripts cmake \
        -not -path '*/node_modules/*' -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.md' -o -name '*.sh' -o -name '*.cmake' -o -name '*.toml' -o -path 'python/*.py' \) \
-       -print0 | xargs -0 codespell -q 3 -L doesnot,gird,lits,frition,coeficient,desnity,commun,nin,normale,mesure,projet,momento,intervall,als,merrors,tork,stap,ot \
+       -print0 | xargs -0 codespell -q 3 -L doesnot,gird,lits,frition,coeficient,desnity,commun,nin,normale,mesure,projet,momento,intervall,als,merrors,tork,stap,ot,modul,fase,amplitud \
        README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md || broken=1
 fi
 exit $broken

@@ -266,6 +266,19 @@ FileFormat with_columns_by_unit(FileFormat format, const FileView& view) {
     return format;
 }
 
+/// Lines of an entry on how the file is to be read, as the user stated it and with the columns that
+/// are read by their units.
+std::string format_text(const FileFormat& format, const FileView& view) {
+    std::string text = format_text(with_columns_by_unit(format, view));
+    if (view.by_unit.empty()) return text;
+    std::vector<std::string> guessed;
+    for (const auto& [quantity_name, column] : view.by_unit)
+        guessed.push_back(quantity_name);
+    text.insert(text.size() - 1,
+                fmt::format("   # GUESS: the file does not name {}", fmt::join(guessed, ", ")));
+    return text;
+}
+
 /// Name of an interval in `intervals` of study.toml: its number, its name or, where these mean
 /// other intervals too, the name of its test.
 /// @throws InputError where no name tells the intervals of different roles apart
@@ -317,7 +330,7 @@ std::string entries_text(const FileView& view, const FileFormat& format, const s
         text += fmt::format(
             "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}{}\n",
             toml_string(as_pattern(file_to_open(view.file.file).filename().string())),
-            format_text(with_columns_by_unit(format, view)), roles_text(view), liquid_content);
+            format_text(format, view), roles_text(view), liquid_content);
     if (steady)
         text += fmt::format(
             "[[readings]]                     # ends of the preshears, in steady "

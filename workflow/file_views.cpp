@@ -41,8 +41,11 @@ std::string columns_to_name(const FileView& view) {
     for (const BlockColumn& column : view.candidates) {
         if (column.quantity == "interval") continue;  // not missing
         const bool fits = is_unit(column.unit) && unit_fits(column.unit, column.quantity);
-        text += fmt::format("; if '{} [{}]' is the {}, write {}", column.name, column.unit,
-                            quantity(column.quantity).meaning,
+        std::vector<std::string> meanings;
+        for (const std::string_view each : possible_quantities(column, view))
+            meanings.push_back(fmt::format("the {}", quantity(each).meaning));
+        text += fmt::format("; if '{} [{}]' is {}, write {}", column.name, column.unit,
+                            fmt::join(meanings, " or "),
                             line_to_name(column.quantity, column.name,
                                          fits ? column.unit : usual_unit(column.quantity)));
     }

@@ -65,7 +65,8 @@ CellFormat format_of_identifier(unsigned identifier) {
     };
     const bool east_asian = within(27, 36) || within(50, 58);
     return {.date = within(14, 17) || identifier == 22 || east_asian,
-            .time = within(18, 22) || within(45, 47)};
+            .time = within(18, 22) || within(45, 47),
+            .percent = within(9, 10)};
 }
 
 CellFormat format_of_code(std::string_view code) {
@@ -77,7 +78,7 @@ CellFormat format_of_code(std::string_view code) {
     const bool time = bare.find_first_of("hs") != std::string::npos;
     const bool day = bare.find_first_of("yd") != std::string::npos;
     const bool month = bare.find('m') != std::string::npos && !time;  // else minutes
-    return {day || month, time};
+    return {day || month, time, bare.find('%') != std::string::npos};
 }
 
 CellFormats::CellFormats(const pugi::xml_node& styles, bool from_1904) : from_1904_(from_1904) {

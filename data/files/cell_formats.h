@@ -13,8 +13,9 @@ namespace pendular {
 /// are 86,400 times too short, and a torque that the spreadsheet took for a date (1.2 for the first
 /// of February) as a number of days.
 struct CellFormat {
-    bool date = false;  ///< the format shows years, months or days
-    bool time = false;  ///< the format shows hours, minutes or seconds
+    bool date = false;     ///< the format shows years, months or days
+    bool time = false;     ///< the format shows hours, minutes or seconds
+    bool percent = false;  ///< the format shows a hundred times the number, with "%"
 };
 
 /// Returns what a format code such as "[h]:mm:ss" or "0.00" shows.
@@ -39,6 +40,11 @@ class CellFormats {
     /// on above 24.
     /// @param style index that the cell states
     std::string text_of(std::string_view number, std::size_t style) const;
+    /// Whether a cell shows a hundred times the number that it stores.
+    /// @param style index that the cell states
+    bool shows_percent(std::size_t style) const {
+        return style < by_style_.size() && by_style_[style].percent;
+    }
 
   private:
     std::vector<CellFormat> by_style_;

@@ -1,6 +1,7 @@
 #include "data/files/column_names.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
 #include <map>
@@ -261,6 +262,30 @@ bool unit_fits(std::string_view unit, std::string_view quantity_name) {
     }
 }
 
+namespace {
+
+/// Whether a name is a letter, or the name of a Greek one, and no word.
+bool is_symbol(std::string_view name) {
+    constexpr std::array<std::string_view, 8> letters = {"phi",   "mu",    "tau",   "sigma",
+                                                         "kappa", "omega", "phi_S", "Phi"};
+    const bool greek =
+        name.size() <= 6 && !name.empty() && static_cast<unsigned char>(name[0]) > 0x7f;
+    return name.size() == 1 || greek || std::ranges::find(letters, name) != letters.end();
+}
+
+}  // namespace
+
+const Quantity* quantity_of_cell(std::string_view name, std::string_view unit) {
+    const Quantity* const known = find_quantity(name);
+    if (!known || known->unit.empty() || unit.empty() || !is_symbol(name)) return known;
+    try {
+        const Unit stated(unit);
+    } catch (const std::invalid_argument&) {
+        return known;  // its reader names what is wrong
+    }
+    return unit_fits(unit, known->name) ? known : nullptr;
+}
+
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
     const std::string wanted = compared(name);
     if (wanted.empty()) return {};
@@ -303,15 +328,19 @@ std::string_view set_point_of(std::string_view name, std::string_view unit) {
     static const std::vector<std::string> marks = {
         "set point", "setpoint", "set value",  "set",       "setting",  "target",
         "demand",    "demanded", "commanded",  "requested", "sollwert", "soll",
-        "consigne",  "preset",   "prescribed", "imposed"};
+        "consigne",  "preset",   "prescribed", "imposed",   "vorgabe"};
     const std::string text = spaced(name);
     const auto remainder = [&](const std::string& mark) -> std::string_view {
         std::string_view rest = text;
-        for (const std::string& end : {" " + mark, "_" + mark, "(" + mark + ")", "[" + mark + "]"})
+        for (const std::string& end :
+             {" " + mark, "_" + mark, "-" + mark, "(" + mark + ")", "[" + mark + "]"})
             if (rest.ends_with(end)) return trimmed(rest.substr(0, rest.size() - end.size()));
-        for (const std::string& begin : {mark + " ", mark + "_"})
+        for (const std::string& begin : {mark + " ", mark + "_", mark + "-"})
             if (rest.starts_with(begin)) return trimmed(rest.substr(begin.size()));
-        return "";
+        // German joins words: "Solldrehzahl", "Drehzahlsollwert".
+        if (mark.starts_with("soll") && rest.ends_with(mark))
+            return rest.substr(0, rest.size() - mark.size());
+        return mark == "soll" && rest.starts_with(mark) ? rest.substr(mark.size()) : "";
     };
     for (const std::string& mark : marks) {
         const std::string_view rest = remainder(mark);

@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "data/quantities/quantity.h"
+
 namespace pendular {
 
 /// Quantity that a column of a rheometer's export contains.
@@ -17,6 +19,11 @@ struct ColumnMeaning {
 
 /// Whether a unit can be that of a quantity; a missing unit can.
 bool unit_fits(std::string_view unit, std::string_view quantity_name);
+
+/// Returns the quantity that a column of a table has by one of the program's own names
+/// (`find_quantity`); null for none. A symbol such as φ or T whose unit is that of something else,
+/// an angle or a temperature, is none; a word such as "Speed" stays, so that its unit is refused.
+const Quantity* quantity_of_cell(std::string_view name, std::string_view unit);
 
 /// Returns the quantity that a column of a rheometer's export contains, by the names that
 /// RheoCompass, Rheoplus, TRIOS, rSpace and RheoWin use in English, French and German, by their

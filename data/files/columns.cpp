@@ -177,13 +177,13 @@ void use_names_of_quantities(Row& header) {
     std::set<std::string_view> known;  // by the program's own names
     for (const Cell& cell : header.cells) {
         const HeaderCell& parts = cells.emplace_back(parse_header_cell(cell.text));
-        const Quantity* const quantity = find_quantity(parts.name);
+        const Quantity* const quantity = quantity_of_cell(parts.name, parts.unit);
         if (quantity && !parts.deviation()) known.insert(read_as(*quantity));
     }
     std::map<std::string_view, Best> best;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const HeaderCell& cell = cells[i];
-        if (cell.deviation() || find_quantity(cell.name)) continue;
+        if (cell.deviation() || quantity_of_cell(cell.name, cell.unit)) continue;
         const ColumnMeaning meaning = meaning_of_column(cell.name, cell.unit);
         // "n" without a unit may be anything.
         const bool symbol = cell.name.size() <= 2 && cell.unit.empty();
@@ -217,7 +217,7 @@ Columns::Columns(const Table& table) : table_(table) {
 
 void Columns::add(std::size_t index) {
     const HeaderCell& cell = cells_[index];
-    const Quantity* const quantity = find_quantity(cell.name);
+    const Quantity* const quantity = quantity_of_cell(cell.name, cell.unit);
     // "Shear velocity [1/s]" is a shear rate that nobody asked for, not a speed in a wrong unit.
     const bool other_velocity = quantity && quantity->name == "shear_velocity" &&
                                 !cell.unit.empty() && !unit_fits(cell.unit, quantity->name);
@@ -345,6 +345,28 @@ void Columns::refuse_missing(std::string_view wanted, const std::string& advice)
                                  fmt::join(found, "', '"), advice));
 }
 
+namespace {
+
+/// Says why a text is no number.
+std::string no_number(std::string_view text) {
+    std::string_view rest = text;
+    if (take_number(rest) && !rest.empty()) {
+        if (trimmed(rest).starts_with("±") || trimmed(rest).starts_with("+/-"))
+            return fmt::format(
+                "\"{}\" holds a number and its error; write the errors into a column "
+                "of their own, behind this one, with the name '±'",
+                text);
+        if (is_unit(trimmed(rest)) && !Unit(trimmed(rest)).dimension().empty())
+            return fmt::format(
+                "\"{}\" holds a number and its unit; write the unit into the name "
+                "of the column, as '[{}]', and numbers alone into the cells",
+                text, trimmed(rest));
+    }
+    return fmt::format("\"{}\" is not a finite number; correct it or remove the line", text);
+}
+
+}  // namespace
+
 double Columns::number(const Row& row, const Column& column) const {
     const std::string& text = row.cells[column.index].text;
     if (const auto value = parse_number(text)) {
@@ -355,8 +377,7 @@ double Columns::number(const Row& row, const Column& column) const {
                                          table_.header.cells[column.index].text, text, *why));
         return number;
     }
-    std::string wrong =
-        fmt::format("\"{}\" is not a finite number; correct it or remove the line", text);
+    std::string wrong = no_number(text);
     if (text.empty()) wrong = "the cell is empty; fill it in or remove the line";
     if (text.starts_with('='))
         wrong = fmt::format(

@@ -192,7 +192,9 @@ Halves name_and_unit(std::string_view text) {
         const bool first = separator == "/";  // "Angular velocity/rad/s"
         const Halves parts =
             divided(text, separator, first ? text.find(separator) : text.rfind(separator));
-        if (!parts.unit.empty() && is_quantity(parts.name, parts.unit)) return parts;
+        if (parts.unit.empty() || !is_quantity(parts.name)) continue;
+        // "Torque, in-lb" has a unit, though a wrong one.
+        if (is_quantity(parts.name, parts.unit) || !weight_meant(parts.unit).empty()) return parts;
     }
     return {text, ""};
 }
@@ -277,6 +279,8 @@ HeaderCell parse_header_cell(std::string_view written) {
     if (const std::size_t bracket = opening_bracket(text); bracket != std::string_view::npos) {
         name = text.substr(0, bracket);
         cell.unit = trimmed(text.substr(bracket + 1, text.size() - bracket - 2));
+        name = trimmed(name);  // ISO 80000: "ρ/(kg/m³)"
+        if (name.ends_with('/') && name.size() > 1) name.remove_suffix(1);
     } else {
         const Halves parts = name_and_unit(text);
         name = parts.name;

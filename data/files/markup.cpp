@@ -66,6 +66,11 @@ void refuse_markup(const std::filesystem::path& path, std::string_view text) {
         throw InputError({path.string()},
                          "is HTML, not a table: export as CSV or text, or open it in a "
                          "spreadsheet and save it as .xlsx");
+    // What Excel calls an XML spreadsheet, often with the ending .xls.
+    if (begin.find("urn:schemas-microsoft-com:office:spreadsheet") != std::string::npos)
+        throw InputError({path.string()},
+                         "is a spreadsheet in XML, not a table: open it in a spreadsheet and save "
+                         "it as .xlsx");
     const char* const kind = is_xml(begin, text) ? "XML"
                              : is_json(begin)    ? "JSON"
                              : begin.starts_with("\\begin{") || begin.starts_with("\\documentclass")

@@ -74,7 +74,9 @@ void OldSheet::add(std::string_view record, std::string text) {
 }
 
 void OldSheet::add_number(const CellPlace& place, unsigned style, double value) {
-    add({.place = place, .text = formats_.text_of(fmt::format("{}", value), style)});
+    add({.place = place,
+         .text = formats_.text_of(fmt::format("{}", value), style),
+         .percent = formats_.shows_percent(style)});
 }
 
 void OldSheet::take_numbers(std::string_view record) {
@@ -151,7 +153,7 @@ SheetText OldSheet::text() {
         lines.add_empty_until(row);
         lines.begin_row(hidden_.contains(row));
         for (; i < cells_.size() && cells_[i].place.row == row; ++i)
-            lines.set(cells_[i].place.column, cells_[i].content());
+            lines.set(cells_[i].place.column, cells_[i].content(), cells_[i].percent);
         lines.end_row();
     }
     return lines.take();

@@ -48,6 +48,7 @@ class OldSheet {
         std::string text;
         /// Text that all sheets share, instead: one may be long and in many cells.
         const std::string* shared = nullptr;
+        bool percent = false;  ///< whether it shows a hundred times the number
 
         const std::string& content() const { return shared ? *shared : text; }
     };

@@ -23,6 +23,7 @@ void SheetLines::add_empty_until(std::size_t lines) {
 void SheetLines::begin_row(bool hidden) {
     check_cell_count(cell_count_ += cells_.size(), file_, line());
     std::ranges::fill(cells_, std::string());
+    percents_.clear();
     if (!hidden) return;
     auto& all = result_.hidden;
     if (!all.empty() && all.back().second + 1 == line())
@@ -41,11 +42,12 @@ void SheetLines::count(const std::string& text) {
                                      largest_unpacked >> 20));
 }
 
-void SheetLines::set(std::size_t column, std::string text) {
+void SheetLines::set(std::size_t column, std::string text, bool percent) {
     count(text);
     for (char& c : text)
         if (c == '\t' || c == '\n' || c == '\r') c = ' ';
     cells_[column] = trimmed(text);
+    if (percent) percents_.insert(column);
     if (!merged_.empty()) hold(column);
 }
 
@@ -62,7 +64,7 @@ void SheetLines::hold(std::size_t column) {
             {line(), static_cast<int>(column) + 1, static_cast<int>(last.column) + 1, text});
         return;
     }
-    held_[column] = {text, last.row};
+    held_[column] = {text, last.row, percents_.contains(column)};
 }
 
 void SheetLines::end_row() {
@@ -71,7 +73,10 @@ void SheetLines::end_row() {
         if (!cells_[column].empty()) continue;
         count(held.text);
         cells_[column] = held.text;
+        if (held.percent) percents_.insert(column);
     }
+    for (const std::size_t column : percents_)
+        result_.percents.push_back({lines_, column});
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         if (i > 0) result_.text += '\t';
         const std::string text = csv_cell(cells_[i]);  // delimiters and quotes within are none

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,12 @@ struct WideNumber {
     std::string text;
 };
 
+/// Place of a cell, from 0.
+struct CellPlace {
+    std::size_t row = 0, column = 0;
+    auto operator<=>(const CellPlace&) const = default;
+};
+
 /// Rows of a sheet of a workbook as text.
 struct SheetText {
     /// One line per row, with cells separated by tabs. Each row with values has as many cells as
@@ -30,12 +37,8 @@ struct SheetText {
     /// First and last lines, from 1, of rows with values that the spreadsheet hides.
     std::vector<std::pair<int, int>> hidden;
     std::vector<WideNumber> wide;  ///< in the order of the lines; the first of its cells has it
-};
-
-/// Place of a cell, from 0.
-struct CellPlace {
-    std::size_t row = 0, column = 0;
-    auto operator<=>(const CellPlace&) const = default;
+    /// Cells, in their order, that show a hundred times the number that stands in the text.
+    std::vector<CellPlace> percents;
 };
 
 /// Writes the rows of a sheet as lines, from the first to the last. A number in a merged cell of
@@ -60,8 +63,9 @@ class SheetLines {
     /// @throws InputError for more than `most_cells` cells so far
     void begin_row(bool hidden);
     /// @param column from 0, below the width
+    /// @param percent whether the cell shows a hundred times the number that it stores
     /// @throws InputError for more than `largest_unpacked` of text so far
-    void set(std::size_t column, std::string text);
+    void set(std::size_t column, std::string text, bool percent = false);
     /// @throws InputError as `set`, for numbers in merged cells
     void end_row();
 
@@ -72,6 +76,7 @@ class SheetLines {
     struct Held {
         std::string text;
         std::size_t last;
+        bool percent;
     };
 
     void hold(std::size_t column);
@@ -84,6 +89,7 @@ class SheetLines {
     std::size_t lines_ = 0, cell_count_ = 0;
     std::uintmax_t text_size_ = 0;           ///< of the cells so far [bytes]
     std::vector<std::string> cells_;         ///< of the present row
+    std::set<std::size_t> percents_;         ///< columns of the present row that show per cent
     std::map<CellPlace, CellPlace> merged_;  ///< last place of merged cells, by the first
     std::map<std::size_t, Held> held_;       ///< by column
 };

@@ -110,7 +110,11 @@ void add_row(const pugi::xml_node& row, const std::string& file, const SharedPar
             throw InputError({file, lines.line()},
                              "the cells of this row are not in order; save the workbook anew");
         next = column + 1;
-        if (has_value(cell)) lines.set(column, text_of_cell(cell, shared));
+        if (!has_value(cell)) continue;
+        const std::string_view type = cell.attribute("t").value();
+        const bool percent = (type.empty() || type == "n") &&
+                             shared.formats.shows_percent(cell.attribute("s").as_uint(0));
+        lines.set(column, text_of_cell(cell, shared), percent);
     }
     lines.end_row();
 }

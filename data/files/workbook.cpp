@@ -36,7 +36,10 @@ class Archive {
             zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
         if (source) archive_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
         if (source && !archive_) zip_source_free(source);
-        const std::string reason = zip_error_strerror(&error);
+        // The list of the parts stands at the end of an archive.
+        const bool cut = zip_error_code_zip(&error) == ZIP_ER_NOZIP && bytes.starts_with("PK");
+        const std::string reason = cut ? "its end is missing, as where a copy was interrupted"
+                                       : zip_error_strerror(&error);
         zip_error_fini(&error);
         if (!archive_) refuse(reason);
     }
@@ -70,6 +73,10 @@ class Archive {
         const zip_int64_t got = entry ? zip_fread(entry.get(), content.data(), content.size()) : -1;
         if (got != static_cast<zip_int64_t>(content.size()))
             refuse(fmt::format("its part {} cannot be unpacked", name));
+        // libzip compares the checksum where it is asked for more than the part has.
+        char further = 0;
+        if (zip_fread(entry.get(), &further, 1) != 0)
+            refuse(fmt::format("its part {} is damaged: its checksum is wrong", name));
         return content;
     }
 

@@ -12,10 +12,11 @@ namespace pendular {
 /// calls of UDUNITS-2 are serialized.
 class Unit {
   public:
-    /// Makes a unit from any common spelling, such as "mN m", "mNm", "N·m", "kPa", "1/s", "deg",
-    /// "rpm" or "%". The texts "", "-" and "1" mean dimensionless.
-    /// @throws std::invalid_argument if the text is no unit, or if wrong upper or lower case makes
-    ///         it an unlikely unit ("pa" would be a pico-are). The message quotes the text.
+    /// Makes a unit from any common spelling, such as "mN m", "mNm", "N·m", "kPa", "10³ Pa", "1/s",
+    /// "deg", "rpm" or "%". The texts "", "-" and "1" mean dimensionless.
+    /// @throws std::invalid_argument if the text is no unit, if wrong upper or lower case makes it
+    ///         an unlikely unit ("pa" would be a pico-are), or for a factor that may be another
+    ///         power of ten ("103 Pa"). The message quotes the text.
     /// @throws std::runtime_error if the unit database of UDUNITS-2 is not installed
     explicit Unit(std::string_view spelling);
 
@@ -30,6 +31,9 @@ class Unit {
     const std::string& dimension() const { return dimension_; }
 
   private:
+    /// Takes dimension, factor and offset from a text of UDUNITS; whether it is one.
+    bool read(const std::string& text);
+
     std::string spelling_;
     std::string dimension_;
     double factor_ = 1;
@@ -40,6 +44,10 @@ class Unit {
 /// were probably written for gram-force, the message suggests the unit of force:
 ///     'g cm' measures kg m, not kg m^2 s^-2 as 'N m' does; did you mean 'gf cm'?
 std::string wrong_dimension(const Unit& unit, const Unit& expected);
+
+/// Returns a spelling with units of force in place of those of mass, "in lbf" for "inlb", as people
+/// mean it where a force is wanted; empty if that is no unit, or has no word for a mass.
+std::string weight_meant(std::string_view spelling);
 
 /// Returns an error message for a number, as the user wrote it, that lacks its unit:
 ///     has no unit; write "500 m", "500 mm" or another unit of the same kind

@@ -14,4 +14,8 @@ namespace pendular {
 /// where no column shows one.
 std::optional<std::string> kind_shown_by_columns(const Block& block);
 
+/// Whether a column has results of yield loci, such as a major principal stress, an unconfined
+/// strength or a flowability: no study is made of them.
+bool names_result_of_locus(const BlockColumn& column);
+
 }  // namespace pendular

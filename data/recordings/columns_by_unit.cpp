@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "data/files/column_names.h"
 #include "data/files/folded_name.h"
+#include "data/files/formats/clock_times.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/header_cell.h"
 #include "data/quantities/number.h"
@@ -40,8 +43,105 @@ const std::vector<NeededGroup>& groups() {
     return all;
 }
 
+/// Parts of names of columns, as `folded_name` has them, that are no measured values of a quantity
+/// that is needed. Those of up to four letters count at the begin of a word.
+struct OtherNames {
+    std::string_view quantity;  ///< empty: of any
+    std::vector<std::string_view> parts;
+};
+
+const std::vector<OtherNames>& other_names() {
+    static const std::vector<OtherNames> all = {
+        {"",
+         {"change", "anderung", "delta", "difference", "differenz", "variation", "amplitud",
+          "ampiezza", "noise", "offset", "residual", "leerlauf", "error"}},
+        {"height",
+         {"dilat",    "settl",     "setzung", "tassement", "compaction", "diam",     "durchmesser",
+          "radius",   "rayon",     "radio",   "raggio",    "arm",        "lever",    "hebel",
+          "levier",   "brazo",     "braccio", "pitch",     "lange",      "length",   "longueur",
+          "longitud", "lunghezza", "rough",   "rauheit",   "size",       "grosse",   "wobble",
+          "runout",   "eccentric", "exzentr", "extension", "lvdt",       "elongati", "allonge"}},
+        {"normal_force",
+         {"tangen",  "friction", "reibung", "frottement", "attrito", "friccion", "rozamiento",
+          "shear",   "scher",    "cisaill", "taglio",     "cizalla", "radial",   "lateral",
+          "seiten",  "quer",     "transv",  "horizontal", "zug",     "pull",     "tensile",
+          "tension", "traction", "weight",  "gewicht",    "poids",   "peso",     "drag",
+          "lift",    "adhesi",   "cohesi",  "lever",      "hebel",   "buoyan",   "inertia"}},
+        {"normal_stress",
+         {"ambient", "umgebung", "atmo",    "air",    "luft",   "baro",   "pore",  "suction",
+          "saug",    "vacuum",   "vakuum",  "fluid",  "water",  "wasser", "gas",   "vapo",
+          "dampf",   "hydraul",  "pneumat", "supply", "capill", "kapill", "modul", "yield",
+          "fliess",  "strength", "festigk", "cohesi", "kohasi", "tangen"}},
+        {"shear_stress", {"ambient", "umgebung", "atmo",     "air",     "luft",   "baro",   "pore",
+                          "suction", "saug",     "vacuum",   "vakuum",  "capill", "kapill", "modul",
+                          "yield",   "fliess",   "strength", "festigk", "cohesi", "kohasi"}},
+        {"torque",
+         {"bearing", "lager", "friction", "reibung", "frottement", "attrito", "inertia", "tragheit",
+          "idle", "seal", "dichtung", "zero", "null", "energy", "work"}},
+        {"rotational_speed", {"fan", "lufter", "ventilat", "pump", "stirrer", "mixer", "entrifug"}},
+        {"time",
+         {"sampl", "abtast", "interval", "relax", "retard", "delay", "lag", "period", "response",
+          "rise", "dead", "half", "date", "datum", "rest", "ruhe", "age", "alter", "constant"}}};
+    return all;
+}
+
+/// Words of a name, each as `folded_name` has it.
+std::vector<std::string> folded_words(std::string_view name) {
+    std::vector<std::string> words;
+    std::string word;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte > 0x7f || std::isalnum(byte)) {
+            word += c;
+        } else if (!word.empty()) {
+            words.push_back(folded_name(std::exchange(word, "")));
+        }
+    }
+    if (!word.empty()) words.push_back(folded_name(word));
+    return words;
+}
+
+/// Whether a name is that of something else than a quantity, by its words.
+bool names_other(std::string_view name, std::string_view quantity) {
+    constexpr std::size_t short_part = 4;
+    const std::vector<std::string> words = folded_words(name);
+    const auto has = [&](std::string_view part) {
+        return std::ranges::any_of(words, [&](const std::string& word) {
+            return part.size() <= short_part ? word.starts_with(part)
+                                             : word.find(part) != std::string::npos;
+        });
+    };
+    // Components across the axis, and changes: "Fx", "Δh".
+    const auto across = [](const std::string& word) {
+        return word.size() == 2 && (word[1] == 'x' || word[1] == 'y');
+    };
+    return std::ranges::any_of(words, across) || name.starts_with("Δ") ||
+           std::ranges::any_of(other_names(), [&](const OtherNames& each) {
+               return (each.quantity.empty() || each.quantity == quantity) &&
+                      std::ranges::any_of(each.parts, has);
+           });
+}
+
+/// Whether a name has a factor, as "Torque × 10³": the numbers may be larger or smaller by it.
+bool names_factor(std::string_view name) {
+    const auto digit_follows = [&](std::string_view sign) {
+        const std::size_t at = name.find(sign);
+        const std::size_t next =
+            at == std::string_view::npos ? at : name.find_first_not_of(' ', at + sign.size());
+        return next != std::string_view::npos &&
+               std::isdigit(static_cast<unsigned char>(name[next]));
+    };
+    constexpr std::array<std::string_view, 6> signs = {"×", "·", "⋅", "*", " x", " X"};
+    constexpr std::array<std::string_view, 8> powers = {"10^", "10**", "10²", "10³",
+                                                        "10⁴", "10⁵",  "10⁶", "10⁻"};
+    return std::ranges::any_of(signs, digit_follows) ||
+           std::ranges::any_of(powers, [&](std::string_view power) {
+               return name.find(power) != std::string_view::npos;
+           });
+}
+
 /// Whether a name says that its column has no measured values of a quantity that is needed: set
-/// points, or a way instead of a height.
+/// points, a way instead of a height, or values with a factor.
 bool says_otherwise(std::string_view name, std::string_view quantity) {
     const std::string folded = folded_name(name);
     const auto has = [&](std::string_view word) { return folded.find(word) != std::string::npos; };
@@ -51,7 +151,8 @@ bool says_otherwise(std::string_view name, std::string_view quantity) {
         "lidheight",      "deckelhohe",  "displacement", "stroke",   "weg",        "deplacement",
         "desplazamiento", "spostamento", "travel",       "position", "deformation"};
     return std::ranges::any_of(set, has) ||
-           (quantity == "height" && std::ranges::any_of(ways, has));
+           (quantity == "height" && std::ranges::any_of(ways, has)) ||
+           names_other(name, quantity) || names_factor(name);
 }
 
 /// Whether a unit shows a quantity. A speed needs an angle or minutes, since 1/s and Hz are those
@@ -65,14 +166,28 @@ bool shows(const std::string& unit, std::string_view quantity) {
     return !stated.same_dimension(Unit("1/s")) || stated.to_si(minute) == 1;
 }
 
-bool never_falls(const Block& block, std::size_t column) {
-    std::optional<double> before;
+/// Whether numbers may be times: they never fall, and several do not stay the same.
+bool may_be_times(const Block& block, std::size_t column) {
+    std::optional<double> first, before;
     for (const Row& row : block.table.rows) {
         const auto value = parse_number(row.cells[column].text);
         if (value && before && *value < *before) return false;
         if (value) before = value;
+        if (value && !first) first = value;
     }
-    return before.has_value();
+    return before.has_value() && (*before > *first || block.table.rows.size() == 1);
+}
+
+/// Whether all cells of a column with a text are clock times.
+bool has_clock_times(const Block& block, std::size_t column) {
+    bool any = false;
+    for (const Row& row : block.table.rows) {
+        const std::string& text = row.cells[column].text;
+        if (text.empty()) continue;
+        if (!clock_time(text)) return false;
+        any = true;
+    }
+    return any;
 }
 
 /// Quantity of a group that a column shows by its unit; empty for none.
@@ -80,11 +195,14 @@ std::string_view shown_by(const Block& block, std::size_t index, const NeededGro
     const BlockColumn& column = block.columns[index];
     const bool marked =
         parse_header_cell(block.table.header.cells[index].text).mark != ErrorMark::none;
-    if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty() || marked)
-        return "";
+    if (!column.quantity.empty() || !column.set_point_of.empty() || marked) return "";
+    // Its name need not say so: "Datum", "Clock".
+    const bool of_time = group.by_unit.front() == "time";
+    if (of_time && !is_unit(column.unit) && has_clock_times(block, index)) return "time";
+    if (column.unit.empty()) return "";
     for (const std::string_view quantity : group.by_unit)
         if (shows(column.unit, quantity) && !says_otherwise(column.name, quantity) &&
-            (quantity != "time" || never_falls(block, index)))
+            (quantity != "time" || may_be_times(block, index)))
             return quantity;
     return "";
 }
@@ -159,6 +277,7 @@ std::map<std::string, std::string> columns_by_unit(const BlockFile& file) {
     const Block& block = file.blocks.front();
     if (is_table_of_readings(block) || kind_shown_by_columns(block)) return {};
     const auto missing = missing_groups(block);
+    if (missing.empty() || is_table_of_points(block, series_of(block))) return {};
     std::map<std::string, std::string> found;
     for (const NeededGroup* const group : missing) {
         std::vector<std::size_t> fitting;
@@ -171,8 +290,9 @@ std::map<std::string, std::string> columns_by_unit(const BlockFile& file) {
         };
         if (std::ranges::count_if(missing, fits) > 1)
             continue;  // a stress, of two that are missing
+        const BlockColumn& column = block.columns[index];
         found[std::string(shown_by(block, index, *group))] =
-            fmt::format("{} [{}]", block.columns[index].name, block.columns[index].unit);
+            column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
     }
     // One column with a unit does not make a recording of a table of other things.
     constexpr std::size_t fewest = 3;

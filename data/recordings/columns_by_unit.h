@@ -10,9 +10,10 @@
 namespace pendular {
 
 /// Returns columns of a table of someone's own that are read as a quantity by their unit alone: a
-/// quantity of steady shear is missing, and no other column has a unit that fits it. Set points,
-/// columns of errors and of other kinds of tests are none, displacements no height, and forces no
-/// lever's.
+/// quantity of steady shear is missing, and no other column has a unit that fits it. A column of
+/// clock times is one of times. Set points, columns of errors and of other kinds of tests are none,
+/// nor are those whose names say something else: displacements are no height, and forces no
+/// lever's. Tables of points of failure have none.
 /// @return as `FileFormat::named_columns`: text of the column, by quantity
 std::map<std::string, std::string> columns_by_unit(const BlockFile& file);
 

@@ -12,6 +12,7 @@
 #include "data/files/formats/layouts.h"
 #include "data/files/header_cell.h"
 #include "data/quantities/number.h"
+#include "data/recordings/column_kinds.h"
 #include "data/recordings/columns_by_unit.h"
 #include "data/recordings/point_texts.h"
 #include "data/recordings/test_kinds.h"
@@ -54,35 +55,41 @@ bool holds_numbers(const Block& block, std::size_t column) {
     });
 }
 
-/// Missing quantity that a column whose unit is unknown may be: a rate the speed, another
-/// unit the first of the others.
-std::string_view possible_quantity(const std::string& unit, const FileView& view) {
-    const auto is_missing = [&](const Needed& needed) {
-        return std::ranges::find(view.missing, needed.name) != view.missing.end();
-    };
-    const Needed& speed = needed_quantities().back();
+/// Quantities of steady shear that are missing, the first of each group; of a speed alone where a
+/// unit is that of a rate.
+std::vector<std::string_view> first_missing(const std::string& unit, const FileView& view) {
+    std::vector<std::string_view> found;
+    for (const Needed& needed : needed_quantities())
+        if (std::ranges::find(view.missing, needed.name) != view.missing.end())
+            found.push_back(needed.quantities.front());
+    const std::string_view speed = needed_quantities().back().quantities.front();
     const bool rate = unit.find('/') != std::string::npos;
-    if (is_missing(speed) && (rate || view.missing.size() == 1)) return speed.quantities.front();
-    const auto first = std::ranges::find_if(needed_quantities(), is_missing);
-    return first == needed_quantities().end() ? "" : first->quantities.front();
+    if (rate && std::ranges::find(found, speed) != found.end()) return {speed};
+    return found;
 }
 
-/// Missing quantity of which a column has the unit or the name; empty for none.
-std::string_view missing_quantity(const BlockColumn& column, const FileView& view) {
+/// Missing quantities of which a column has the unit or, if it has that of none, the name.
+std::vector<std::string_view> missing_quantities_of(const BlockColumn& column,
+                                                    const FileView& view) {
     const ColumnMeaning named = meaning_of_column(column.name, "");
+    std::vector<std::string_view> by_unit, by_name;
     for (const Needed& needed : needed_quantities()) {
         if (std::ranges::find(view.missing, needed.name) == view.missing.end()) continue;
-        auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
+        const auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
             return name != "lever_force" && unit_fits(column.unit, name);
         });
-        if (fits == needed.quantities.end() && !named.shared)
-            fits = std::ranges::find(needed.quantities, named.quantity);
-        if (fits != needed.quantities.end()) return *fits;
+        if (fits != needed.quantities.end()) by_unit.push_back(*fits);
+        if (!named.shared &&
+            std::ranges::find(needed.quantities, named.quantity) != needed.quantities.end())
+            by_name.push_back(named.quantity);
     }
+    if (!by_unit.empty()) return by_unit;
+    if (!by_name.empty()) return by_name;
     // A force is one on a lever only where the normal force is known.
     const bool no_torque =
         std::ranges::find(view.missing, "torque or shear stress") != view.missing.end();
-    return no_torque && unit_fits(column.unit, "lever_force") ? "lever_force" : "";
+    if (no_torque && unit_fits(column.unit, "lever_force")) return {"lever_force"};
+    return {};
 }
 
 /// Unused columns in the unit of a missing quantity, or with its name, or in an unknown unit.
@@ -94,10 +101,11 @@ std::vector<BlockColumn> candidates(const FileView& view) {
         const BlockColumn& column = block.columns[i];
         if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty())
             continue;
-        std::string_view quantity = missing_quantity(column, view);
-        if (quantity.empty() && !is_unit(column.unit) && holds_numbers(block, i))
-            quantity = possible_quantity(column.unit, view);
-        if (!quantity.empty()) found.push_back({column.name, column.unit, std::string(quantity)});
+        std::vector<std::string_view> possible = missing_quantities_of(column, view);
+        if (possible.empty() && !is_unit(column.unit) && holds_numbers(block, i))
+            possible = first_missing(column.unit, view);
+        if (!possible.empty() && !names_result_of_locus(column))
+            found.push_back({column.name, column.unit, std::string(possible.front())});
     }
     return found;
 }
@@ -218,6 +226,12 @@ void convert_lever_forces(IntervalSeries& series, const AnnularCell& cell) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> possible_quantities(const BlockColumn& candidate,
+                                                  const FileView& view) {
+    const std::vector<std::string_view> known = missing_quantities_of(candidate, view);
+    return known.empty() ? first_missing(candidate.unit, view) : known;
+}
 
 FileView view_of_file(const std::filesystem::path& path, const FileFormat& format,
                       const std::optional<AnnularCell>& study_cell) {

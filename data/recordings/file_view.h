@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "data/annular_cell.h"
@@ -69,6 +70,11 @@ struct FileView {
     /// study reads them where its `columns` name them.
     std::map<std::string, std::string> by_unit;
 };
+
+/// Returns the quantities that a column of `FileView::candidates` may be: a stress may be each of
+/// two that are missing, and a column in an unknown unit any of them.
+std::vector<std::string_view> possible_quantities(const BlockColumn& candidate,
+                                                  const FileView& view);
 
 /// Reads and examines a file of measurements. A table with a column of interval numbers is divided
 /// into intervals.

@@ -143,7 +143,7 @@ class QuickReader {
         Row row;
         for (const Cell& cell : table_.header.cells) {
             const HeaderCell parts = parse_header_cell(cell.text);
-            const Quantity* const known = find_quantity(parts.name);
+            const Quantity* const known = quantity_of_cell(parts.name, parts.unit);
             block.columns.push_back(
                 {parts.name, parts.unit, known ? std::string(known->name) : ""});
             row.cells.push_back({"1", 0});

@@ -120,7 +120,10 @@ bool RecordingRows::add(int line, const std::vector<double>& numbers) {
 
 /// Fault of the row in `values_`, which is not added yet.
 std::optional<RecordingRows::Fault> RecordingRows::fault() const {
-    if (values_[height_] <= 0) return Fault{"height", "a gap must be positive; check its zero"};
+    if (values_[height_] <= 0)
+        return Fault{"height",
+                     "a gap must be positive; check its zero, or, if the number marks a missing "
+                     "value, state it in [[recording]] as in missing = [\"-999\"]"};
     const double interval = interval_ ? values_[*interval_] : 0;
     if (interval != std::floor(interval))
         return Fault{"interval", "an interval must be a whole number"};

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "data/files/columns.h"
-#include "data/files/missing_mark.h"
+#include "data/files/folded_name.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/findings/detectors.h"
 #include "data/recordings/step_series.h"
@@ -76,52 +76,98 @@ bool is_stated_failure(const Block& block) {
            });
 }
 
-bool is_table_of_points(const Block& block, const IntervalSeries& series) {
-    constexpr std::size_t most_points = 1000, fewest_points = 3;
+namespace {
+
+constexpr std::size_t most_points = 1000, fewest_points = 3;
+
+}  // namespace
+
+bool loads_differ_by_row(const IntervalSeries& series) {
     // Two thirds of the least step between set points that steps.cpp tells apart.
     constexpr double jump = 0.05;
+    const std::vector<double>& load = series.normal();
+    if (load.size() < fewest_points || load.size() > most_points) return false;
+    std::size_t jumps = 0;
+    for (std::size_t i = 1; i < load.size(); ++i) {
+        const double before = load[i - 1], now = load[i];
+        jumps += std::abs(now - before) > jump * std::max(std::abs(now), std::abs(before));
+    }
+    return jumps >= 2 && 4 * jumps >= load.size();
+}
+
+bool is_table_of_points(const Block& block, const IntervalSeries& series) {
     const bool stresses = !series.shear_stress.empty() && !series.normal_stress.empty();
     if (stresses && is_stated_failure(block)) return series.size() <= most_points;
     if (!stresses || !series.time.empty() || !series.angular_velocity.empty() ||
-        !series.interval.empty() || has_column_of_readings(block) || block.declared_rows ||
-        series.size() < fewest_points || series.size() > most_points)
+        !series.interval.empty() || has_column_of_readings(block) || block.declared_rows)
         return false;
-    std::size_t jumps = 0;
-    for (std::size_t i = 1; i < series.size(); ++i) {
-        const double before = series.normal_stress[i - 1], now = series.normal_stress[i];
-        jumps += std::abs(now - before) > jump * std::max(std::abs(now), std::abs(before));
-    }
-    return jumps >= 2 && 4 * jumps >= series.size();
+    return loads_differ_by_row(series);
 }
 
 namespace {
 
-/// Small letters of a text, without what separates words.
-std::string joined_words(std::string_view text) {
-    std::string joined;
-    for (const char c : in_small_letters(text))
-        if (std::string_view(" _-.").find(c) == std::string_view::npos) joined += c;
-    return joined;
+/// Words of a text in small letters.
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words(1);
+    for (const char c : lower_case(text))
+        if (std::string_view(" _-.,:;/()'").find(c) == std::string_view::npos)
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
+    if (words.back().empty()) words.pop_back();
+    return words;
 }
 
-bool names_wall_friction(std::string_view text) {
-    constexpr std::array<std::string_view, 8> names = {
-        "wallfriction",       "wallyield",       "wandreibung",       "wandfließ",
-        "frottementàlaparoi", "frottementparoi", "attritoallaparete", "fricciónconlapared"};
-    const std::string joined = joined_words(text);
+using Parts = std::vector<std::string_view>;
+
+bool begins_with_any(std::string_view word, const Parts& parts) {
+    return std::ranges::any_of(parts,
+                               [&](std::string_view part) { return word.starts_with(part); });
+}
+
+/// Words for wall friction that are written together, or apart with nothing between them.
+bool names_wall_friction_jointly(std::string_view text) {
+    constexpr std::array<std::string_view, 15> names = {
+        "wallfriction", "wallyield",   "wandreibung",  "wandfließ",   "wandfliess",
+        "wandwrijving", "wandfrictie", "väggfriktion", "vægfriktion", "veggfriksjon",
+        "falisúrlódás", "seinäkitka",  "duvarsürtün",  "壁面摩擦",    "壁摩擦"};
+    std::string joined;
+    for (const std::string& word : words_of(text))
+        joined += word;
     return std::ranges::any_of(
         names, [&](std::string_view name) { return joined.find(name) != std::string::npos; });
 }
 
-/// Words of a text in small letters.
-std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words(1);
-    for (const char c : in_small_letters(text))
-        if (std::string_view(" _-.,/()").find(c) == std::string_view::npos)
-            words.back() += c;
-        else if (!words.back().empty())
-            words.emplace_back();
-    return words;
+/// Whether a text speaks of the friction along a wall, in words such as "attrito con la parete": a
+/// cell with "rough walls" has another friction too, and so has "internal friction, wall of steel".
+bool names_wall_friction(std::string_view text) {
+    static const Parts frictions = {"friction", "frottement", "attrito",  "atrito",     "fricción",
+                                    "friccion", "fricção",    "friccao",  "rozamiento", "tarci",
+                                    "wrijving", "frictie",    "friktion", "friksjon",   "tření",
+                                    "reibung",  "sürtünme"};
+    static const Parts between = {
+        "a",  "à",   "al",  "alla",  "an",  "at", "au",    "com", "con",   "contra", "contre",
+        "da", "de",  "del", "della", "der", "di", "en",    "il",  "in",    "l",      "la",
+        "le", "met", "mit", "na",    "o",   "on", "sulla", "sur", "tegen", "the",    "une"};
+    static const Parts walls = {"wall", "wand", "paroi", "pared", "parete",
+                                "ścia", "stěn", "vägg",  "væg",   "vegg"};
+    if (names_wall_friction_jointly(text)) return true;
+    bool of_friction = false;
+    std::string word;
+    for (const char c : lower_case(text) + " ") {
+        if (std::string_view(" _-'").find(c) == std::string_view::npos) {
+            word += c;
+            continue;
+        }
+        if (word.empty()) continue;
+        if (of_friction && begins_with_any(word, walls)) return true;
+        const bool ends = std::string_view(".,:;)").find(word.back()) != std::string_view::npos;
+        const bool goes_on = begins_with_any(word, frictions) ||
+                             (of_friction && std::ranges::find(between, word) != between.end());
+        of_friction = goes_on && !ends;
+        word.clear();
+    }
+    return false;
 }
 
 /// Whether a column of stresses has a name of a wall, by whole words: "Prepared" holds "pared".

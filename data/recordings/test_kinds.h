@@ -20,6 +20,10 @@ bool has_column_of_readings(const Block& block);
 /// of a study that `import` began.
 bool is_stated_failure(const Block& block);
 
+/// Whether the load changes from row to row so often that each row may be a test of its own, or the
+/// mean of one.
+bool loads_differ_by_row(const IntervalSeries& series);
+
 /// Whether a table holds one test in each row, such as the points of a yield locus: no time and no
 /// column of readings (`has_column_of_readings`), both stresses, and a normal stress that differs
 /// by more than 5 %, which no control of a load does, from that of the row before in a quarter of

@@ -31,7 +31,7 @@ def cell(text, row, column, shared):
         pass
     if text.startswith("="):
         return f"<c {place}><f>{escape(text[1:])}</f></c>"
-    for style, kind in (1, "date:"), (2, "clock:"):
+    for style, kind in (1, "date:"), (2, "clock:"), (3, "percent:"):
         if text.startswith(kind):
             return f'<c {place} s="{style}"><v>{text.removeprefix(kind)}</v></c>'
     if text == "#DIV/0!":
@@ -74,7 +74,7 @@ def main():
     links += f'<Relationship Id="rIdS" Type="{types}/styles" Target="styles.xml"/>'
     parts["xl/styles.xml"] = (
         '<styleSheet xmlns="x"><numFmts><numFmt numFmtId="164" formatCode="dd/mm/yyyy\\ hh:mm:ss"/></numFmts>'
-        '<cellXfs><xf numFmtId="0"/><xf numFmtId="164"/><xf numFmtId="46"/></cellXfs></styleSheet>'
+        '<cellXfs><xf numFmtId="0"/><xf numFmtId="164"/><xf numFmtId="46"/><xf numFmtId="10"/></cellXfs></styleSheet>'
     )
     calendar = '<workbookPr date1904="1"/>' if "--1904" in sys.argv else ""
     parts["xl/workbook.xml"] = f'<workbook xmlns="x" xmlns:r="r">{calendar}<sheets>{names}</sheets></workbook>'

@@ -76,6 +76,49 @@ TEST_F(Workbook, HasTheSheetThatIsNamed) {
                  input_error([&] { read_blocks(first, format); })});
 }
 
+/// A cell that shows "30 %" stores 0.3, which is right below a header without a unit.
+TEST_F(Workbook, HasThePercentThatItsCellsShow) {
+    const auto fractions = [&](const std::string& header, const std::string& cell) {
+        const auto book = of_table("Normal stress [Pa],Shear stress [Pa]," + header +
+                                   "\n1000,500," + cell + "\n2000,1000,58\n");
+        const BlockFile file = read_blocks(book);
+        std::vector<std::string> texts;
+        for (const Row& row : file.blocks.at(0).table.rows)
+            texts.push_back(row.cells.at(2).text);
+        return texts;
+    };
+    EXPECT_THAT(fractions("Solid fraction [%]", "percent:0.57"), ElementsAre("57", "58"));
+    EXPECT_THAT(fractions("Solid fraction [percent]", "percent:0.573"), ElementsAre("57.3", "58"));
+    EXPECT_THAT(fractions("Solid fraction", "percent:0.57"), ElementsAre("0.57", "58"));
+    EXPECT_THAT(fractions("Solid fraction [1]", "percent:0.57"), ElementsAre("0.57", "58"));
+    EXPECT_THAT(fractions("Solid fraction [%]", "57"), ElementsAre("57", "58"));
+    EXPECT_TRUE(format_of_code("0.0\\ %").percent);
+    EXPECT_TRUE(format_of_code("0%;-0%").percent);
+    EXPECT_FALSE(format_of_code("0.0\" %\"").percent);  // the sign alone, as text
+    EXPECT_FALSE(format_of_code("0.0\\%").percent);
+}
+
+/// One changed digit leaves XML well-formed: only the checksum tells.
+TEST_F(Workbook, IsRefusedWithAWrongChecksum) {
+    const auto book = of_table("Torque [N m],x\n0.0123,4\n");
+    // As `zip -0` stores a part, without compression.
+    const std::string store =
+        "python3 -c \"import sys, zipfile\n"
+        "old = zipfile.ZipFile(sys.argv[1]); new = zipfile.ZipFile(sys.argv[2], 'w')\n"
+        "[new.writestr(n, old.read(n)) for n in old.namelist()]; new.close()\" ";
+    const auto stored = folder_.path() / "stored.xlsx";
+    ASSERT_EQ(std::system((store + book.string() + " " + stored.string()).c_str()), 0);
+    std::string bytes = content_of(stored);
+    EXPECT_EQ(read_blocks(stored).blocks[0].table.rows[0].cells[0].text, "0.0123");
+    const std::size_t at = bytes.find("0.0123");
+    ASSERT_NE(at, std::string::npos);
+    bytes[at + 3] = '7';
+    const auto damaged = folder_.write("damaged.xlsx", bytes);
+    const auto cut = folder_.write("cut.xlsx", bytes.substr(0, bytes.size() / 2));
+    expect_told(
+        {input_error([&] { read_blocks(damaged); }), input_error([&] { read_blocks(cut); })});
+}
+
 TEST_F(Workbook, ChoosesSheetsWithATableOrByAPattern) {
     const auto table = folder_.write("t.csv", "Torque [N m],x\n1,2\n");
     const auto cover = folder_.write("c.csv", "Powder,glass\nDate,today\nMass,20\n");

@@ -15,12 +15,14 @@
 #include "data/files/formats/sheets.h"
 #include "data/files/formats/text_marks.h"
 #include "data/files/formats/text_shape.h"
+#include "data/files/header_cell.h"
 #include "data/files/markup.h"
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
 #include "data/files/workbook.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
+#include "data/quantities/units.h"
 
 namespace pendular {
 namespace {
@@ -144,6 +146,7 @@ struct FileText {
     DecodedText decoded;
     std::vector<Lines> hidden;
     std::vector<WideNumber> wide;
+    std::vector<CellPlace> percents;  ///< as `SheetText::percents`
 };
 
 /// @throws InputError at a number in a cell that is merged over a column that is read
@@ -168,6 +171,37 @@ void refuse_wide_numbers(const BlockFile& file, const std::vector<WideNumber>& w
                                                  "divide the cell and write the number where it "
                                                  "belongs",
                                                  number->text));
+        }
+}
+
+/// Whether the numbers of a column are per cent: by its own unit or, of errors without one, that of
+/// their values.
+bool is_in_percent(const Block& block, const BlockColumn& column) {
+    const auto value = std::ranges::find_if(block.columns, [&](const BlockColumn& each) {
+        return !each.of_errors && each.quantity == column.quantity;
+    });
+    const bool of_value = column.of_errors && column.unit.empty() && value != block.columns.end();
+    const std::string& unit = of_value ? value->unit : column.unit;
+    if (column.quantity.empty() || unit.empty() || !is_unit(unit)) return false;
+    const Unit stated(unit);
+    return stated.same_dimension(Unit("%")) && stated.to_si(1) == Unit("%").to_si(1);
+}
+
+/// Writes the numbers that cells of a workbook show as per cent, "30 %", as such into columns in
+/// per cent. The workbook stores 0.3, which is right in columns without a unit.
+void show_percents(BlockFile& file, const std::vector<CellPlace>& percents) {
+    if (percents.empty()) return;
+    const auto shows = [&](const Row& row, std::size_t i) {
+        const CellPlace place{static_cast<std::size_t>(row.line) - 1,
+                              static_cast<std::size_t>(row.cells[i].column) - 1};
+        return std::ranges::binary_search(percents, place);
+    };
+    for (Block& block : file.blocks)
+        for (std::size_t i = 0; i < block.columns.size(); ++i) {
+            if (!is_in_percent(block, block.columns[i])) continue;
+            for (Row& row : block.table.rows)
+                if (const auto number = parse_number(row.cells[i].text); number && shows(row, i))
+                    row.cells[i].text = fmt::format("{:.15g}", 100 * *number);
         }
 }
 
@@ -198,8 +232,10 @@ FileText text_of_file(const std::filesystem::path& path, const FileFormat& forma
     if (const auto part = as_sheet(path)) {
         const std::string bytes = read_bytes(part->book, largest_table);
         SheetText sheet = sheet_text(bytes, part->book.string(), part->sheet);
-        FileText result{
-            {std::move(sheet.text), "UTF-8, of a sheet of a workbook"}, {}, std::move(sheet.wide)};
+        FileText result{{std::move(sheet.text), "UTF-8, of a sheet of a workbook"},
+                        {},
+                        std::move(sheet.wide),
+                        std::move(sheet.percents)};
         for (const auto& [first, last] : sheet.hidden)
             result.hidden.push_back({first, last});
         return result;
@@ -207,7 +243,7 @@ FileText text_of_file(const std::filesystem::path& path, const FileFormat& forma
     const std::string bytes = read_bytes(path, largest_table);
     DecodedText decoded = decode_bytes(bytes, path, format.encoding);
     refuse_markup(path, decoded.text);
-    return {std::move(decoded), {}, {}};
+    return {std::move(decoded), {}, {}, {}};
 }
 
 /// Reads a text with one table, or an export of an instrument.
@@ -325,6 +361,7 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
         throw InputError({file.file},
                          "no rows of numbers were found; is this the export of the raw data?");
     refuse_wide_numbers(file, text.wide);
+    show_percents(file, text.percents);
     unify_numbers(file, format);
     read_clock_times(file);
     clear_missing_values(file, format, cleared);

@@ -83,7 +83,7 @@ Layout plain_layout() {
                 for (std::size_t i = 0; i < written.cells.size(); ++i) {
                     const HeaderCell parts = parse_header_cell(written.cells[i].text);
                     const HeaderCell named = parse_header_cell(block.table.header.cells[i].text);
-                    const Quantity* const quantity = find_quantity(named.name);
+                    const Quantity* const quantity = quantity_of_cell(named.name, named.unit);
                     block.columns.push_back({parts.name, parts.unit,
                                              quantity ? std::string(quantity->name) : "",
                                              std::string(set_point_of(parts.name, parts.unit)),

@@ -269,18 +269,24 @@ void take_title_below_names(SourceLines& source, std::size_t names, std::size_t 
     }
 }
 
+/// Whether all cells of a row are numbers from the third on, and the second too or a unit.
+bool has_numbers_behind_name(const Row& row) {
+    const auto number = [](const Cell& cell) { return is_number(cell.text); };
+    return row.cells.size() > 2 && row.cells.size() <= most_cells_examined &&
+           std::all_of(row.cells.begin() + 2, row.cells.end(), number) &&
+           (number(row.cells[1]) || is_unit(bare_unit(row.cells[1].text)));
+}
+
 /// @throws InputError at a line of one of two that begin with the name of a quantity, with numbers
-///         in all other cells
+///         in all other cells but one with a unit
 void refuse_lying_table(const SourceLines& source, char delimiter) {
     std::size_t before = 0;
     for (std::size_t i = 0; i < std::min(source.lines.size(), most_lines); ++i) {
         if (first_filled_line(source, i) != i) continue;
         if (source.lines[i].find('"') != std::string_view::npos) return;
         const Row row = source.row(i, delimiter);
-        const bool numbers = row.cells.size() > 2 && row.cells.size() <= most_cells_examined &&
-                             std::all_of(row.cells.begin() + 1, row.cells.end(),
-                                         [](const Cell& cell) { return is_number(cell.text); });
-        if (!numbers || named_quantities({row.line, {row.cells.front()}}) == 0) return;
+        if (!has_numbers_behind_name(row) || named_quantities({row.line, {row.cells.front()}}) == 0)
+            return;
         if (before > 0)
             throw InputError({source.file, static_cast<int>(before)},
                              "the names of the columns stand at the begin of lines; they must be "
