@@ -14,6 +14,7 @@
 #include "data/recordings/column_kinds.h"
 #include "data/recordings/lid_speed.h"
 #include "data/recordings/plausibility.h"
+#include "data/recordings/point_roles.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/steps.h"
 #include "data/recordings/test_kinds.h"
@@ -273,14 +274,18 @@ double median_of_known(const std::vector<double>& values) {
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const FileFormat& format) {
     const std::vector<Loading> loading = loadings(series);
+    const std::vector<bool> impossible = impossible_points(file, series);
     std::vector<IntervalRole> roles;
     for (std::size_t i = 0; i < series.size(); ++i) {
         if (const std::string stated = stated_role(file.blocks[i], format); !stated.empty())
             roles.push_back({stated, "stated by the user"});
-        else if (!file.blocks[i].stated_role.empty())
+        else if (!impossible[i] && !file.blocks[i].stated_role.empty())
             roles.push_back({file.blocks[i].stated_role, "stated by the file"});
         else if (const auto kind = kind_shown_by_columns(file.blocks[i]))
             roles.push_back({"other", *kind});
+        else if (impossible[i])
+            roles.push_back(
+                {"other", "a stress that stands for no value beside those of the other points"});
         else if (!file.shown_wall.empty() && (file.table_of_points || loading[i].sheared))
             roles.push_back(
                 {"wall", fmt::format("shear along a wall, as {} shows", file.shown_wall)});
