@@ -14,6 +14,7 @@
 #include "data/quantities/number.h"
 #include "data/recordings/columns_by_unit.h"
 #include "data/recordings/filled_down.h"
+#include "data/recordings/interval_checks.h"
 #include "data/recordings/point_checks.h"
 #include "data/recordings/point_texts.h"
 #include "data/recordings/stated_preshear.h"
@@ -239,6 +240,8 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     view.cell = cell_from_columns(view.series);
     view.findings = std::move(filled);
     append(view.findings, check_file(view.file, view.series, view.cell));
+    append(view.findings, far_values(view.file));
+    append(view.findings, cycles_in_one_interval(view.file, view.series));
     view.stated = stated_cell(view.file);
     if (study_cell) append(view.findings, header_against_study(view.file, *study_cell));
     view.loci = yield_loci(view.file, view.series, view.roles, format.prorate);
