@@ -321,6 +321,23 @@ std::string roles_text(const FileView& view) {
     return roles.empty() ? "" : fmt::format("intervals = {{ {} }}\n", fmt::join(roles, ", "));
 }
 
+/// Comment on a table of points of several tests, which one study takes for one material; empty for
+/// one test.
+std::string comment_on_tests(const FileView& view) {
+    std::vector<std::string> tests;
+    for (const YieldLocus& locus : view.loci)
+        if (std::ranges::find(tests, locus.test) == tests.end()) tests.push_back(locus.test);
+    if (!view.file.table_of_points || tests.size() < 2) return "";
+    constexpr std::size_t told = 3;
+    const bool more = tests.size() > told;
+    if (more) tests.resize(told);
+    std::string names = fmt::format("{}{}", fmt::join(tests, ", "), more ? ", ..." : "");
+    std::ranges::replace_if(
+        names, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+    return fmt::format("             # GUESS: {} are of one material; if not, divide the table",
+                       names);
+}
+
 /// @param suffix of the names of tables
 /// @param steady whether there is a table of preshears
 std::string entries_text(const FileView& view, const FileFormat& format, const std::string& suffix,
@@ -339,8 +356,8 @@ std::string entries_text(const FileView& view, const FileFormat& format, const s
     if (!view.loci.empty())
         text += fmt::format(
             "[[readings]]                     # points of failure: peaks, which may lie above "
-            "steady shear\nfile = \"failure{}.csv\"\nstate = \"failure\"{}\n{}\n",
-            suffix,
+            "steady shear\nfile = \"failure{}.csv\"{}\nstate = \"failure\"{}\n{}\n",
+            suffix, comment_on_tests(view),
             view.file.table_of_points ? "                # GUESS: peaks; for steady shear, remove "
                                         "this line and the column failure"
                                       : "",

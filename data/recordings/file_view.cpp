@@ -14,7 +14,11 @@
 #include "data/quantities/number.h"
 #include "data/recordings/column_kinds.h"
 #include "data/recordings/columns_by_unit.h"
+#include "data/recordings/filled_down.h"
+#include "data/recordings/interval_checks.h"
+#include "data/recordings/point_checks.h"
 #include "data/recordings/point_texts.h"
+#include "data/recordings/stated_preshear.h"
 #include "data/recordings/test_kinds.h"
 
 namespace pendular {
@@ -174,7 +178,7 @@ void append_points(const Block& whole, BlockFile& file) {
             if (!block.test.empty()) block.test += ", ";
             block.test += texts.tests[i];
         }
-        if (!texts.preshears.empty() && texts.preshears[i]) block.stated_role = "preshear";
+        if (!texts.roles.empty()) block.stated_role = texts.roles[i];
         block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
         block.preshear_shear_stress = columns.value_if_any(row, "preshear_shear_stress");
         block.bulk_density = columns.value_if_any(row, "bulk_density");
@@ -184,8 +188,9 @@ void append_points(const Block& whole, BlockFile& file) {
     }
 }
 
-/// Divides a table of points, or several of them, into one block per row.
-void split_points(BlockFile& file) {
+/// Divides a table of points, or several of them, into one block per row. Returns remarks on cells
+/// that were filled.
+std::vector<Remark> split_points(BlockFile& file) {
     // Of several blocks, only those of tables side by side or below one another, which have names.
     const bool tables = is_own_table(file.layout);
     const bool several = file.blocks.size() > 1;
@@ -193,23 +198,16 @@ void split_points(BlockFile& file) {
         return block.stated_role.empty() && !(several && (!tables || block.test.empty())) &&
                is_table_of_points(block, series_of(block));
     };
-    if (!std::ranges::all_of(file.blocks, holds_points)) return;
-    const std::vector<Block> wholes = std::move(file.blocks);
+    if (!std::ranges::all_of(file.blocks, holds_points)) return {};
+    std::vector<Block> wholes = std::move(file.blocks);
     file.blocks.clear();
     file.table_of_points = true;
-    for (const Block& whole : wholes)
+    std::vector<Remark> filled;
+    for (Block& whole : wholes) {
+        append(filled, fill_down(whole));
         append_points(whole, file);
-}
-
-/// Takes the normal stress of the preshear from the column that an instrument writes it in.
-void state_preshears(BlockFile& file) {
-    for (Block& block : file.blocks) {
-        if (block.preshear_normal_stress || !block.has_column("preshear_stress")) continue;
-        const Columns columns(block.table);
-        for (const Row& row : block.table.rows)
-            if (!block.preshear_normal_stress)
-                block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
     }
+    return filled;
 }
 
 /// Computes torques from forces on a lever and, if the file has neither, the stresses.
@@ -245,7 +243,7 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     }
     refuse_unused_file(view.file);
     split_by_interval(view.file);
-    split_points(view.file);
+    std::vector<Remark> filled = split_points(view.file);
     state_preshears(view.file);
     view.file.shown_wall = format.wall ? "the user" : shown_wall(view.file);
     for (const Block& block : view.file.blocks) {
@@ -254,11 +252,15 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     }
     view.roles = roles_of(view.file, view.series, format);
     view.cell = cell_from_columns(view.series);
-    view.findings = check_file(view.file, view.series, view.cell);
+    view.findings = std::move(filled);
+    append(view.findings, check_file(view.file, view.series, view.cell));
+    append(view.findings, far_values(view.file));
+    append(view.findings, cycles_in_one_interval(view.file, view.series));
     view.stated = stated_cell(view.file);
     if (study_cell) append(view.findings, header_against_study(view.file, *study_cell));
     view.loci = yield_loci(view.file, view.series, view.roles, format.prorate);
     view.walls = wall_loci(view.file, view.series, view.roles);
+    append(view.findings, check_points(view.file, view.series, view.loci, view.walls));
     view.missing = missing_quantities(view.series);
     view.candidates = candidates(view);
     std::ranges::copy(columns_like_intervals(view.file, view.series),

@@ -7,15 +7,17 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "data/files/formats/layouts.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/column_kinds.h"
+#include "data/recordings/lid_speed.h"
 #include "data/recordings/plausibility.h"
+#include "data/recordings/point_roles.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/steps.h"
 #include "data/recordings/test_kinds.h"
-#include "data/recordings/time_series.h"
 
 namespace pendular {
 namespace {
@@ -30,9 +32,12 @@ struct Loading {
     double normal = 0;              ///< median normal stress or force
     std::optional<double> angle;    ///< angle by which the lid turned [rad], if known
     std::optional<SpeedRamp> ramp;  ///< speeds between which the lid's speed changed, if it did
+    bool back_and_forth = false;    ///< whether the lid turned back and forth in each step
+    bool relaxes = false;           ///< whether the lid rests and the shear never rises
     std::optional<std::string> load_ramp;  ///< as text, if the normal stress changed throughout
     std::optional<std::string> unsteady;   ///< as text, for stress growth or stick-slip
     std::size_t steps = 1;                 ///< of constant speed and load
+    const char* shear_word = "";           ///< name of the quantity that shows the shear
 };
 
 double largest_known(const std::vector<double>& values) {
@@ -70,7 +75,7 @@ std::optional<bool> lid_turned(const IntervalSeries& series) {
     std::vector<double> speeds;
     std::ranges::copy_if(series.angular_velocity, std::back_inserter(speeds),
                          [](double speed) { return std::isfinite(speed); });
-    return turns(mean_of_correlated(speeds));
+    return turns(speeds);
 }
 
 /// Whether the shear stress of an interval is one of sheared grains, where no speed was recorded.
@@ -91,6 +96,61 @@ bool speeds_tell(const std::vector<IntervalSeries>& series) {
         series, [](const IntervalSeries& each) { return lid_turned(each).value_or(false); });
 }
 
+/// Whether the lid turns at constant speed in one of several steps of an interval, as in a
+/// staircase of speeds, of which a study reads each step.
+bool turns_at_constant_speed(const IntervalSeries& series, const std::vector<Step>& steps) {
+    const std::span<const double> speeds = series.angular_velocity;
+    return steps.size() > 1 && std::ranges::any_of(steps, [&](const Step& step) {
+               const auto all = speeds.subspan(step.begin, step.end - step.begin);
+               const auto at_speed = all.subspan(begin_at_speed(all));
+               return at_speed.size() >= shortest_step && !speed_ramp(all) && turns(at_speed);
+           });
+}
+
+/// Whether the lid turns back and forth in each step of an interval in which it moves.
+bool back_and_forth(const IntervalSeries& series, const std::vector<Step>& steps) {
+    const auto known = [&](const std::vector<double>& column) {
+        return column.size() == series.size() &&
+               std::ranges::all_of(column, [](double value) { return std::isfinite(value); });
+    };
+    if (series.size() == 0 || !known(series.time) || !known(series.angular_velocity)) return false;
+    std::size_t reversals = 0;
+    for (const auto& [begin, end] : steps) {
+        const auto speeds = std::span(series.angular_velocity).subspan(begin, end - begin);
+        const bool reverses =
+            turns_back_and_forth(speeds, std::span(series.time).subspan(begin, end - begin));
+        if (!reverses && turns(speeds)) return false;
+        reversals += reverses;
+    }
+    return reversals > 0;
+}
+
+/// Whether the lid turned in an interval, for all that its speeds say.
+bool turned_at_all(const IntervalSeries& series) {
+    return lid_turned(series).value_or(true);
+}
+
+/// Whether a shear stress or torque never rises above that of its first rows, as one that relaxes.
+/// Shear to failure begins with less than its peak.
+bool never_rises(const std::vector<double>& shear) {
+    // Chosen: medians of three rows of noise seldom differ by more.
+    constexpr double least_rise = 0.1;
+    constexpr std::size_t parts = 20, fewest_of_part = 3, fewest_rows = 10;
+    std::vector<double> known;
+    for (const double each : shear)
+        if (std::isfinite(each)) known.push_back(std::abs(each));
+    if (known.size() < fewest_rows) return false;
+    const std::size_t part = std::max(known.size() / parts, fewest_of_part);
+    const auto level = [&](std::size_t begin) {
+        const auto from = known.begin() + static_cast<std::ptrdiff_t>(begin);
+        return median({from, from + static_cast<std::ptrdiff_t>(part)});
+    };
+    const double first = level(0);
+    for (std::size_t begin = part; begin + part <= known.size(); begin += part)
+        if (level(begin) > (1 + least_rise) * first) return false;
+    return true;
+}
+
 std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
     constexpr double most_ratio = 3;  // `greatest_stress_ratio` at P* = 1
     const bool by_speed = speeds_tell(series);
@@ -105,11 +165,17 @@ std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
                           (!stresses || largest_known(each.shear()) < most_ratio * loading.normal);
         loading.has_speed = any_known(each.angular_velocity) || any_known(each.shear_velocity);
         loading.angle = angle_turned(each);
-        loading.ramp = speed_ramp(each.angular_velocity);
+        const std::vector<Step> steps = steps_of(each);
+        if (!turns_at_constant_speed(each, steps)) {
+            loading.ramp = speed_ramp(each.angular_velocity);
+            loading.back_and_forth = back_and_forth(each, steps);
+        }
+        loading.relaxes = !turned_at_all(each) && never_rises(each.shear());
         loading.load_ramp = load_ramp(each);
         loading.unsteady = stress_growth(each);
         if (!loading.unsteady) loading.unsteady = stick_slip(each);
-        loading.steps = steps_of(each).size();
+        loading.steps = steps.size();
+        loading.shear_word = shear_word(each);
         result.push_back(loading);
     }
     return result;
@@ -150,6 +216,12 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
     // at a height equal to the mean radius, as `ImportSettings::least_strain` asks by default.
     constexpr double higher = 1.05, long_turn = 1, short_turn = 0.3;
     const Loading& own = loading[i];
+    if (own.back_and_forth)
+        return {"other", "the lid turns back and forth, as in oscillation: no steady shear"};
+    if (own.relaxes)
+        return {"other", fmt::format("the lid does not turn, and the {} does not rise: rest or "
+                                     "relaxation, no failure",
+                                     own.shear_word)};
     if (own.ramp)
         return {"other", fmt::format("the speed of the lid changes {}: no steady shear",
                                      own.ramp->change())};
@@ -202,14 +274,18 @@ double median_of_known(const std::vector<double>& values) {
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const FileFormat& format) {
     const std::vector<Loading> loading = loadings(series);
+    const std::vector<bool> impossible = impossible_points(file, series);
     std::vector<IntervalRole> roles;
     for (std::size_t i = 0; i < series.size(); ++i) {
         if (const std::string stated = stated_role(file.blocks[i], format); !stated.empty())
             roles.push_back({stated, "stated by the user"});
-        else if (!file.blocks[i].stated_role.empty())
+        else if (!impossible[i] && !file.blocks[i].stated_role.empty())
             roles.push_back({file.blocks[i].stated_role, "stated by the file"});
         else if (const auto kind = kind_shown_by_columns(file.blocks[i]))
             roles.push_back({"other", *kind});
+        else if (impossible[i])
+            roles.push_back(
+                {"other", "a stress that stands for no value beside those of the other points"});
         else if (!file.shown_wall.empty() && (file.table_of_points || loading[i].sheared))
             roles.push_back(
                 {"wall", fmt::format("shear along a wall, as {} shows", file.shown_wall)});

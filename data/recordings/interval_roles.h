@@ -25,7 +25,10 @@ struct IntervalRole {
 /// An interval is sheared if the lid turns by more than 0.01 rad or, if no interval of the file
 /// shows that the lid turns, if its largest shear stress exceeds 5 % of its normal stress. Its role
 /// is the first that applies:
-/// - "other" if the speed of the lid changes throughout (`speed_ramp`)
+/// - "other" if the lid turns back and forth (`turns_back_and_forth`)
+/// - "other" if the lid rests and the shear never rises, as in relaxation
+/// - "other" if the speed of the lid changes throughout (`speed_ramp`), unless it is constant in
+///   one of several steps
 /// - "steady" if the normal stress is not positive, or the shear stress reaches three times it
 /// - "other" if the lid turns by more than 1 rad and the load changes throughout (`load_ramp`)
 /// - "other" if the lid turns by more than 1 rad in stress growth (`stress_growth`) or `stick_slip`

@@ -9,17 +9,22 @@
 
 #include "data/files/folded_name.h"
 #include "data/quantities/number.h"
+#include "data/recordings/point_roles.h"
 
 namespace pendular {
 namespace {
 
+std::vector<std::string> cells_of(const Table& table, std::size_t column) {
+    std::vector<std::string> texts;
+    for (const Row& row : table.rows)
+        texts.push_back(row.cells[column].text);
+    return texts;
+}
+
 /// Texts of a column; empty if a cell has none.
 std::vector<std::string> texts_in(const Table& table, std::size_t column) {
-    std::vector<std::string> texts;
-    for (const Row& row : table.rows) {
-        if (row.cells[column].text.empty()) return {};
-        texts.push_back(row.cells[column].text);
-    }
+    std::vector<std::string> texts = cells_of(table, column);
+    if (std::ranges::any_of(texts, &std::string::empty)) texts.clear();
     return texts;
 }
 
@@ -41,27 +46,25 @@ bool stands_in_groups(const std::vector<std::string>& texts) {
     return known.size() > 1;
 }
 
-bool names_preshear(std::string_view text) {
-    constexpr std::array<std::string_view, 8> begins = {"preshear", "anscher",  "vorscher",
-                                                        "precisai", "precizal", "pretagl",
-                                                        "consolid", "konsolid"};
-    const std::string word = folded_name(text);
-    return std::ranges::any_of(begins,
-                               [&](std::string_view each) { return word.starts_with(each); });
-}
+}  // namespace
 
 bool names_tests(std::string_view name) {
     constexpr std::array names = {
-        "test no",   "versuch nr", "probe nr",     "sample no", "material", "wall material",
-        "wall",      "sample",     "sample name",  "specimen",  "powder",   "test",
-        "run",       "series",     "wandmaterial", "wand",      "probe",    "probenname",
-        "pulver",    "versuch",    "échantillon",  "matériau",  "paroi",    "poudre",
-        "essai",     "muestra",    "pared",        "polvo",     "ensayo",   "campione",
-        "materiale", "parete",     "polvere",      "prova"};
+        "test no",     "versuch nr", "probe nr",     "sample no",  "material", "wall material",
+        "wall",        "sample",     "sample name",  "specimen",   "powder",   "test",
+        "run",         "series",     "wandmaterial", "wand",       "probe",    "probenname",
+        "pulver",      "versuch",    "échantillon",  "matériau",   "paroi",    "poudre",
+        "essai",       "muestra",    "pared",        "polvo",      "ensayo",   "campione",
+        "materiale",   "parete",     "polvere",      "prova",      "batch",    "lot",
+        "charge",      "product",    "produkt",      "produit",    "producto", "prodotto",
+        "serie",       "group",      "gruppe",       "groupe",     "grupo",    "gruppo",
+        "yield locus", "locus",      "fließort",     "bulk solid", "schüttgut"};
     const std::string wanted = folded_name(name);
     return std::ranges::any_of(names,
                                [&](std::string_view each) { return folded_name(each) == wanted; });
 }
+
+namespace {
 
 /// Load of each row, a normal stress or force in the unit of its column; empty if no column or a
 /// cell states none.
@@ -80,14 +83,26 @@ std::vector<double> loads_of(const Block& block) {
     return loads;
 }
 
+/// Whether each text stands at two rows in succession, of which all first ones have one load, the
+/// largest: it numbers preshears and the points after them.
+bool numbers_pairs(const std::vector<std::string>& texts, const std::vector<double>& loads) {
+    if (loads.size() < 4 || loads.size() % 2 != 0) return false;
+    for (std::size_t i = 0; i < loads.size(); i += 2)
+        if (texts[i] != texts[i + 1] || (i > 0 && texts[i] == texts[i - 1]) ||
+            !is_same_load(loads[i], loads[0]) || !is_lower_load(loads[i + 1], loads[i]))
+            return false;
+    return true;
+}
+
 /// Whether each text has points of failure at two loads at least, through which a line can go: a
 /// number of each filling or load has not.
 bool tells_tests_apart(const std::vector<std::string>& texts, const std::vector<double>& loads,
-                       const std::vector<bool>& preshears) {
+                       const std::vector<std::string>& roles) {
     constexpr double other_load = 0.05;  // relative: loads that are set differ by more
+    if (numbers_pairs(texts, loads)) return false;
     std::map<std::string, std::pair<double, double>> range;
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        if (loads.empty() || (!preshears.empty() && preshears[i])) continue;
+        if (loads.empty() || (!roles.empty() && !roles[i].empty())) continue;
         auto& [least, most] = range.try_emplace(texts[i], loads[i], loads[i]).first->second;
         least = std::min(least, loads[i]), most = std::max(most, loads[i]);
     }
@@ -100,22 +115,22 @@ bool tells_tests_apart(const std::vector<std::string>& texts, const std::vector<
 
 PointTexts texts_of_points(const Block& block) {
     PointTexts found;
+    const std::vector<double> loads = loads_of(block);
     std::vector<std::pair<std::string, std::vector<std::string>>> others;
     for (std::size_t i = 0; i < block.columns.size(); ++i) {
-        if (!block.columns[i].quantity.empty()) continue;
-        const std::vector<std::string> texts = texts_in(block.table, i);
-        if (texts.empty()) continue;
-        const auto preshears = std::ranges::count_if(texts, names_preshear);
-        if (preshears > 0 && preshears < std::ssize(texts) && found.preshears.empty())
-            for (const std::string& text : texts)
-                found.preshears.push_back(names_preshear(text));
-        else
-            others.emplace_back(block.columns[i].name, texts);
+        const BlockColumn& column = block.columns[i];
+        if (!column.quantity.empty()) continue;
+        std::vector<std::string> roles;
+        if (found.roles.empty())
+            roles = roles_in_column(column.name, cells_of(block.table, i), loads);
+        if (!roles.empty())
+            found.roles = std::move(roles);
+        else if (std::vector<std::string> texts = texts_in(block.table, i); !texts.empty())
+            others.emplace_back(column.name, std::move(texts));
     }
-    const std::vector<double> loads = loads_of(block);
     for (const auto& [name, texts] : others)
         if (found.tests.empty() &&
-            ((names_tests(name) && tells_tests_apart(texts, loads, found.preshears)) ||
+            ((names_tests(name) && tells_tests_apart(texts, loads, found.roles)) ||
              (!any_number(texts) && stands_in_groups(texts))))
             found.tests = texts;
     return found;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "data/files/formats/block_file.h"
@@ -12,10 +13,13 @@ struct PointTexts {
     /// Test of each row, from a column that names materials, samples or the like; empty: none. The
     /// points of a test make a yield locus of their own.
     std::vector<std::string> tests;
-    /// Whether each row is a preshear, as "Preshear 1" beside "Shear 1" says; empty: no column
-    /// does.
-    std::vector<bool> preshears;
+    /// Role of each row that is no point of failure, as `roles_in_column`; empty: no column states
+    /// any.
+    std::vector<std::string> roles;
 };
+
+/// Whether a column of this name names materials, samples or the like, of which each has a locus.
+bool names_tests(std::string_view name);
 
 /// Returns what the texts of a table of points say. A column tells tests apart if its name is one
 /// of those that people give to materials and samples, and each of its texts or numbers stands at

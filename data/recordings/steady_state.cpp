@@ -4,12 +4,14 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "data/quantities/statistics.h"
 #include "data/recordings/findings/detectors.h"
 #include "data/recordings/findings/drift.h"
+#include "data/recordings/lid_speed.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 
@@ -50,7 +52,7 @@ void find_creep(const std::string& file, std::vector<RecordedStep>& steps) {
     const double drift = common_drift(file, steps);
     for (std::size_t k = 0; k < steps.size(); ++k) {
         if (!found[k] || !is_creep(*found[k], found, drift)) continue;
-        steps[k].steady = found[k]->begin;
+        steps[k].steady = std::max(found[k]->begin, steps[k].at_speed);
         steps[k].gap_creeps = true;
         find_periods(steps[k]);
     }
@@ -123,20 +125,6 @@ Remark on_whole(const RecordedStep& step, Kind kind, const Setting& setting) {
             .step = step.number};
 }
 
-/// Why the lid of a step whose mean speed is not known to differ from zero gives no steady shear.
-Kind without_turn(const StepSeries& series) {
-    // Path of the lid [rad], in both directions, from which on it is not at rest: a tenth of a
-    // turn.
-    constexpr double back_and_forth = 0.6;
-    double angle = 0;
-    for (std::size_t i = 1; i < series.size(); ++i)
-        angle += std::abs(series.angular_velocity[i]) * (series.time[i] - series.time[i - 1]);
-    // Slow reversals spread far beyond the noise from row to row; noise about zero does not.
-    const double noise = sample_noise(series.angular_velocity);
-    const double usual = robust_deviation(series.angular_velocity);
-    return angle > back_and_forth && usual > 3 * noise ? Kind::back_and_forth : Kind::at_rest;
-}
-
 double mean(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -174,6 +162,15 @@ std::optional<Remark> too_little_strain(const RecordedStep& step, const StepSeri
     return found;
 }
 
+/// Speeds between which the speed of a step changes, if it never settles, or settles so late that
+/// too few rows have one speed.
+std::optional<SpeedRamp> changing_speed(const RecordedStep& step) {
+    const std::span<const double> speeds = step.series.angular_velocity;
+    if (const auto ramp = speed_ramp(speeds)) return ramp;
+    if (speeds.size() - step.at_speed >= shortest_step) return std::nullopt;
+    return extreme_speeds(speeds);
+}
+
 /// Why no reading can be made of a step, as far as that is known before means are taken.
 std::optional<Remark> unusable(const RecordedStep& step, const Setting& setting) {
     const StepSeries& series = step.series;
@@ -183,13 +180,16 @@ std::optional<Remark> unusable(const RecordedStep& step, const Setting& setting)
         found.count = series.size();
         return found;
     }
-    if (const auto ramp = speed_ramp(series.angular_velocity)) {
+    if (const auto ramp = changing_speed(step)) {
         Remark found = whole(Kind::speed_ramp);
         found.size = ramp->first;
         found.size_to = ramp->last;
         return found;
     }
-    if (!step.lid_turns) return whole(without_turn(series));
+    if (!step.lid_turns)
+        return whole(turns_back_and_forth(series.angular_velocity, series.time)
+                         ? Kind::back_and_forth
+                         : Kind::at_rest);
     if (auto found = too_little_strain(step, series, Kind::short_strain, setting)) return found;
     if (!step.steady) {
         Remark found = whole(Kind::never_steady);
@@ -265,7 +265,7 @@ void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<i
         doubt_fraction(result.readings.back(), creep_of(step.series)->change, steady, setting);
 }
 
-/// Remarks on rows with spikes in torque, normal force or gap.
+/// Remarks on rows with spikes in torque, normal force, gap or speed.
 std::vector<Remark> spikes_of(const RecordedStep& step, const std::string& file) {
     std::vector<Remark> found;
     for (const std::size_t k : step.spikes) {

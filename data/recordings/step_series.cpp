@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <span>
@@ -11,6 +12,8 @@
 #include <vector>
 
 #include "data/quantities/statistics.h"
+#include "data/recordings/lid_speed.h"
+#include "data/recordings/spikes.h"
 #include "data/recordings/time_series.h"
 
 namespace pendular {
@@ -90,18 +93,20 @@ bool significant(const std::vector<double>& magnitudes, std::span<const double> 
 }
 
 /// Changes the sign of a negative torque. Does nothing while the lid rests, when the torque may
-/// relax through zero.
+/// relax through zero, also in the rows before the lid has the speed of the step.
 /// @throws InputError if the torque has both signs by more than noise
 void check_torque_sign(StepSeries& series, const Recording& recording, const Step& step) {
-    if (!turns(mean_of_correlated(series.angular_velocity))) return;
+    const std::size_t begin = begin_at_speed(series.angular_velocity);
+    if (!turns(std::span(series.angular_velocity).subspan(begin))) return;
+    const auto torques = std::span(series.torque).subspan(begin);
     std::vector<double> positive, negative;
-    for (const double torque : series.torque) {
+    for (const double torque : torques) {
         if (torque > 0) positive.push_back(torque);
         if (torque < 0) negative.push_back(-torque);
     }
     const bool mostly_negative = negative.size() > positive.size();
-    if (significant(mostly_negative ? positive : negative, series.torque)) {
-        std::size_t row = step.begin;
+    if (significant(mostly_negative ? positive : negative, torques)) {
+        std::size_t row = step.begin + begin;
         while (mostly_negative ? recording.torque[row] <= 0 : recording.torque[row] >= 0)
             ++row;
         throw InputError({recording.file, recording.line[row]},
@@ -130,11 +135,6 @@ std::optional<std::size_t> end_of_transient_or_drift(std::span<const double> ser
 }
 
 }  // namespace
-
-bool turns(const Mean& angular_velocity) {
-    // Less may be the noise of a speed at rest.
-    return std::abs(angular_velocity.value) > 3 * angular_velocity.standard_error;
-}
 
 StepSeries step_series(const Recording& recording, const Step& step) {
     StepSeries series{recording.rows(step.begin, step.end)};
@@ -180,10 +180,6 @@ std::optional<Creep> creep_of(const StepSeries& series) {
 
 namespace {
 
-/// A speed that changes by 20 % about its mean changes the stress ratio of dry grains by less than
-/// 3 %, nearly in proportion, so that the mean stays that at the mean speed.
-constexpr double settled = 0.2;
-
 double middle(std::span<const double> speeds) {
     return std::abs(median({speeds.begin(), speeds.end()}));
 }
@@ -201,6 +197,16 @@ std::string SpeedRamp::change() const {
     return fmt::format("by a factor of {:.{}f}", by, by < 10 ? 1 : 0);
 }
 
+SpeedRamp extreme_speeds(std::span<const double> speeds) {
+    std::vector<double> sorted;
+    for (const double speed : speeds)
+        sorted.push_back(std::abs(speed));
+    std::ranges::sort(sorted);
+    // Two values may be spikes.
+    const std::size_t aside = std::min<std::size_t>(2, (sorted.size() - 1) / 2);
+    return {sorted[aside], sorted[sorted.size() - 1 - aside]};
+}
+
 std::optional<SpeedRamp> speed_ramp(std::span<const double> speeds) {
     if (speeds.size() < shortest_step) return std::nullopt;
     // The medians of the last two quarters of a ramp differ by half of the change over the half.
@@ -209,70 +215,21 @@ std::optional<SpeedRamp> speed_ramp(std::span<const double> speeds) {
     const double change = std::abs(middle(last) - middle(before));
     // The difference of two medians of independent values scatters by 1.8 noise/sqrt(quarter).
     const double noise = std::max(sample_noise(last), sample_noise(before));
-    const bool changes = change > 0.5 * settled * std::max(middle(last), middle(before)) &&
+    const bool changes = change > 0.5 * settled_speed * std::max(middle(last), middle(before)) &&
                          change > 5 * noise / std::sqrt(static_cast<double>(quarter));
     if (!changes) return std::nullopt;
     constexpr std::size_t rows = 3;  // their median is not moved by one spike
-    return SpeedRamp{middle(speeds.first(rows)), middle(speeds.last(rows))};
-}
-
-namespace {
-
-// Chosen: only errors of reading are taken out, far beyond the noise and what stick-slip does. A
-// series with many of them is rough, not spiky.
-constexpr std::ptrdiff_t reach = 5;  // samples on each side of the median
-constexpr double noises = 20, least_share = 0.05, most_samples = 0.05;
-constexpr std::size_t longest = 3;  // samples; too few of 11 to move their median far
-
-double local_median(std::span<const double> series, std::size_t at) {
-    const auto place = static_cast<std::ptrdiff_t>(at);
-    const auto first = std::max<std::ptrdiff_t>(0, place - reach);
-    const auto last = std::min(std::ssize(series), place + reach + 1);
-    return median({series.begin() + first, series.begin() + last});
-}
-
-/// Indices that belong to runs of at most `longest` successive indices.
-std::vector<std::size_t> short_runs(const std::vector<std::size_t>& places) {
-    std::vector<std::size_t> result;
-    for (std::size_t begin = 0; begin < places.size();) {
-        std::size_t end = begin + 1;
-        while (end < places.size() && places[end] == places[end - 1] + 1)
-            ++end;
-        if (end - begin <= longest) {
-            result.insert(result.end(), places.begin() + static_cast<std::ptrdiff_t>(begin),
-                          places.begin() + static_cast<std::ptrdiff_t>(end));
-        }
-        begin = end;
-    }
-    return result;
-}
-
-}  // namespace
-
-std::vector<std::size_t> spikes(std::span<const double> series) {
-    const double noise = sample_noise(series);
-    std::vector<std::size_t> far;
-    // Samples at the ends have too few neighbours on one side to tell a spike from a rise.
-    for (std::size_t k = reach; k + reach < series.size(); ++k) {
-        const double usual = local_median(series, k);
-        if (std::abs(series[k] - usual) > std::max(noises * noise, least_share * std::abs(usual)))
-            far.push_back(k);
-    }
-    std::vector<std::size_t> found = short_runs(far);
-    if (static_cast<double>(found.size()) > most_samples * static_cast<double>(series.size()))
-        found.clear();
-    return found;
+    const SpeedRamp ends{middle(speeds.first(rows)), middle(speeds.last(rows))};
+    return ends.factor() > 1 + settled_speed ? ends : extreme_speeds(speeds);
 }
 
 std::vector<std::size_t> take_out_spikes(StepSeries& series) {
     std::set<std::size_t> changed;
-    for (std::vector<double>* column : {&series.torque, &series.normal_force, &series.height}) {
-        const std::vector<double> as_read = *column;
-        for (const std::size_t k : spikes(as_read)) {
-            (*column)[k] = local_median(as_read, k);
-            changed.insert(k);
-        }
-    }
+    for (std::vector<double>* column : {&series.torque, &series.normal_force, &series.height})
+        std::ranges::copy(replace_spikes(*column), std::inserter(changed, changed.end()));
+    // A smaller spike of the speed changes neither the mean nor the torque.
+    std::ranges::copy(replace_spikes(series.angular_velocity, settled_speed),
+                      std::inserter(changed, changed.end()));
     return {changed.begin(), changed.end()};
 }
 

@@ -32,9 +32,6 @@ struct StepSeries : IntervalSeries {
 ///         torque has both signs by more than noise
 StepSeries step_series(const Recording& recording, const Step& step);
 
-/// Whether the lid turns: the mean angular velocity differs from 0 by more than 3 standard errors.
-bool turns(const Mean& angular_velocity);
-
 /// Returns the number of data points at the beginning of a step that are not steady in torque or
 /// gap; if one never becomes steady, empty, with its name in `unsteady`, which is empty for both. A
 /// torque or gap without a steady part still counts as steady in the second half of the step if its
@@ -60,7 +57,8 @@ std::optional<Creep> creep_of(const StepSeries& series);
 /// consolidates, from random loose to close packing, changes by 15 %.
 constexpr double most_creep = 0.02;
 
-/// Speeds at the beginning and end of a step in which the speed never settles, in their unit.
+/// Speeds at the beginning and end of a step in which the speed never settles, in their unit; the
+/// least and the greatest where the step ends with the speed with which it begins.
 struct SpeedRamp {
     double first = 0;
     double last = 0;
@@ -70,20 +68,18 @@ struct SpeedRamp {
     std::string change() const;
 };
 
+/// Returns the least and the greatest speed of a step, two values that may be spikes aside.
+SpeedRamp extreme_speeds(std::span<const double> speeds);
+
 /// Returns the speeds between which the speed of a step changes, if it still changes by more than
 /// 20 % over the second half of the step; empty for a lid that turns steadily, rests, or has
 /// settled after a transient. Steps of less than `shortest_step` rows are not judged.
 /// @param speeds angular velocity or shear rate of each row of the step
 std::optional<SpeedRamp> speed_ramp(std::span<const double> speeds);
 
-/// Returns the indices of spikes in ascending order: of one to three neighbouring values that
-/// differ from the median of the 11 values around each by more than 20 times the noise
-/// (`sample_noise`) and by more than 5 %. The first and last five values are never spikes. Empty if
-/// more than 5 % of the values would be spikes.
-std::vector<std::size_t> spikes(std::span<const double> series);
-
-/// Replaces each spike in torque, normal force and height by the median of the 11 values around it.
-/// Returns the indices of the data points that changed, in ascending order.
+/// Replaces each spike in torque, normal force, height and angular velocity by the median of the 11
+/// values around it (`replace_spikes`). Returns the indices of the data points that changed, in
+/// ascending order.
 std::vector<std::size_t> take_out_spikes(StepSeries& series);
 
 /// Returns the shear strain [1] of a step: magnitude of the mean shear rate times the duration.

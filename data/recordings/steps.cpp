@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "data/quantities/statistics.h"
-#include "data/recordings/time_series.h"
+#include "data/recordings/lid_speed.h"
 
 namespace pendular {
 namespace {
@@ -147,7 +147,14 @@ std::vector<Step> steps_within(const Recording& recording, const Step& interval)
         if (!column->empty())  // as without `fill_from_stresses`
             std::ranges::copy(jumps(Series(*column).subspan(interval.begin, size)),
                               std::back_inserter(boundaries));
-    std::vector<Step> steps = without_passages(between(std::move(boundaries), size));
+    std::vector<Step> steps = without_passages(between(boundaries, size));
+    if (!recording.angular_velocity.empty()) {
+        const auto speeds = Series(recording.angular_velocity).subspan(interval.begin, size);
+        for (const auto& [begin, end] : steps)
+            for (const std::size_t row : breaks_of_speed(speeds.subspan(begin, end - begin)))
+                boundaries.push_back(begin + row);
+        steps = without_passages(between(std::move(boundaries), size));
+    }
     for (Step& step : steps) {
         step.begin += interval.begin;
         step.end += interval.begin;
@@ -183,6 +190,18 @@ std::vector<Step> steps_of(const IntervalSeries& series) {
     return split_steps(recording);
 }
 
+namespace {
+
+/// End of the transient, which lasts until the lid has the speed of the step at least.
+std::optional<std::size_t> end_of_transient_at_speed(RecordedStep& step) {
+    if (step.at_speed == 0) return end_of_transient(step.series, step.unsteady);
+    auto end = end_of_transient(step.series.from(step.at_speed), step.unsteady);
+    if (end) *end += step.at_speed;
+    return end;
+}
+
+}  // namespace
+
 void find_periods(RecordedStep& step) {
     const auto part = level_part(step);
     if (!part) return;
@@ -197,9 +216,10 @@ std::vector<RecordedStep> recorded_steps(const Recording& recording) {
                           .number = static_cast<int>(result.size()) + 1,
                           .series = step_series(recording, rows)};
         step.spikes = take_out_spikes(step.series);
-        step.lid_turns = turns(mean_of_correlated(step.series.angular_velocity));
-        if (step.series.size() >= shortest_step && step.lid_turns)
-            step.steady = end_of_transient(step.series, step.unsteady);
+        step.at_speed = begin_at_speed(step.series.angular_velocity);
+        step.lid_turns = turns(std::span(step.series.angular_velocity).subspan(step.at_speed));
+        if (step.series.size() - step.at_speed >= shortest_step && step.lid_turns)
+            step.steady = end_of_transient_at_speed(step);
         find_periods(step);
         result.push_back(std::move(step));
     }

@@ -15,7 +15,8 @@ namespace pendular {
 /// Splits a recording into steps, in the order of the rows. A step begins at each new value in the
 /// column interval, and at each new constant value of angular velocity or normal force: one that
 /// lasts at least `shortest_step` rows and differs from the old value by more than 5 % and by more
-/// than the noise.
+/// than the noise. A shorter rest or other speed within a step divides it too (`breaks_of_speed`);
+/// its rows stand at the beginning of the step after it.
 std::vector<Step> split_steps(const Recording& recording);
 
 /// Returns the steps of constant speed and load in an interval, as a study splits it
@@ -28,6 +29,8 @@ struct RecordedStep {
     int number = 0;                   ///< in the recording, from 1
     StepSeries series;                ///< spikes replaced by medians
     std::vector<std::size_t> spikes;  ///< indices of the data points that were spikes
+    /// Index of the first data point at which the lid has the speed of the step (`begin_at_speed`).
+    std::size_t at_speed = 0;
     bool lid_turns = false;
     /// Index of the first data point after the transient; empty if no part of the step is steady,
     /// or if no transient was searched for.

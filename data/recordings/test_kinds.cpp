@@ -217,13 +217,12 @@ bool rises_beyond_noise(const std::vector<double>& shear, double rise) {
     return two_sided_p(rise / error, n - of_line) <= finding_significance;
 }
 
-/// Name of the quantity that shows the shear of an interval.
+}  // namespace
+
 const char* shear_word(const IntervalSeries& series) {
     if (!series.shear_stress.empty()) return "shear stress";
     return series.torque.empty() ? "lever force" : "torque";
 }
-
-}  // namespace
 
 std::string shown_wall(const BlockFile& file) {
     for (const Block& block : file.blocks) {

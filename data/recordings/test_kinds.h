@@ -38,6 +38,9 @@ bool is_table_of_readings(const Block& block);
 /// shear stress", or of the file, its sheet or its test, such as "Wandreibung"; empty for nothing.
 std::string shown_wall(const BlockFile& file);
 
+/// Name of the quantity that shows the shear of an interval, such as "torque".
+const char* shear_word(const IntervalSeries& series);
+
 /// Returns "stress growth: ..." for an interval at constant speed and load whose shear stress still
 /// rises at its end: by more than 2 % over each of the last two tenths of the rows, and by more
 /// than noise does (`finding_significance`). Empty for others, and for fewer than `shortest_step`

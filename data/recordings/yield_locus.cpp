@@ -300,7 +300,9 @@ std::vector<YieldLocus> yield_loci(const BlockFile& file, const std::vector<Inte
     }
     for (std::size_t k = 0; k < loci.size(); ++k) {
         YieldLocus& locus = loci[k];
-        const bool table = std::ranges::all_of(preshears[k], &OwnPreshear::in_row);
+        // Rows of preshears stand for one state as much as the cells of two columns do.
+        const bool table =
+            file.table_of_points || std::ranges::all_of(preshears[k], &OwnPreshear::in_row);
         if (locus.preshear) compare_preshears(locus, preshears[k], prorate || table);
         if (prorate) prorate_points(locus);
         locus.line = fitted(locus, &FailurePoint::normal_stress, &FailurePoint::shear_stress);

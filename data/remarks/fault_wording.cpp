@@ -226,6 +226,24 @@ std::string set_point_text(const Remark& fault) {
         short_text(fault.size), unit, short_text(fault.limit), unit);
 }
 
+std::string far_values_text(const Remark& fault) {
+    const std::string unit = fault.names[1].empty() ? "" : " " + fault.names[1];
+    return fmt::format(
+        "the {} is {}{} in {}, far off the other rows.", words_for_quantity(fault.quantity),
+        fault.names[0], unit,
+        fault.count == 1 ? "one row" : fmt::format("the first of {} rows", fault.count));
+}
+
+/// Advice on values far off those of the other rows.
+std::string far_values_advice(const Remark& fault) {
+    if (fault.corrected)
+        return "A study leaves such rows out; look for a disturbance, or a wrong column.";
+    return fmt::format(
+        "If it stands for no value, write missing = [\"{}\"] below [[recording]] in "
+        "study.toml.",
+        fault.names[0]);
+}
+
 std::string file_text(const Remark& fault) {
     switch (fault.kind) {
         case Kind::ratio_of_columns:
@@ -257,6 +275,28 @@ std::string file_text(const Remark& fault) {
                                words_for_quantity(fault.quantity));
         case Kind::hidden_rows:
             return "the workbook hides these rows.";
+        case Kind::filled_down:
+            return fmt::format("'{}' has no value here.", fault.names[0]);
+        case Kind::far_values:
+            return far_values_text(fault);
+        case Kind::impossible_points:
+            return fmt::format(
+                "{} of {} points have a stress of another sign than the others, or one of nines "
+                "alone.",
+                fault.count, fault.of);
+        case Kind::returning_load:
+            return fmt::format(
+                "{} of {} points of failure stand at a normal stress that returns, each before one "
+                "at a lower normal stress, as preshears do.",
+                fault.count, fault.of);
+        case Kind::falling_line:
+            return fmt::format("the shear stress of the points{} falls as the normal stress rises.",
+                               fault.names[0].empty() ? "" : " of " + fault.names[0]);
+        case Kind::cycles_in_one_interval:
+            return fmt::format(
+                "the normal load returns {} time{} to its largest value after a lower one, as in "
+                "preshear and shear to failure.",
+                fault.count, fault.count == 1 ? "" : "s");
         default:
             throw std::logic_error("a fault of a file has no words");
     }
@@ -296,6 +336,19 @@ std::string done_about(const Remark& fault) {
                        : "A study leaves these rows out.";
         case Kind::hidden_rows:
             return "They are read; delete them if they are not to count.";
+        case Kind::filled_down:
+            return "The value above applies, as in merged cells.";
+        case Kind::far_values:
+            return far_values_advice(fault);
+        case Kind::impossible_points:
+            return "They are not used. If such a number stands for no value, leave its cell empty.";
+        case Kind::returning_load:
+            return "They count as points of failure; if they are preshears, say so in a column "
+                   "that has \"preshear\" in these rows and \"shear\" in the others.";
+        case Kind::falling_line:
+            return "No yield locus falls: check the rows, and which column has which stress.";
+        case Kind::cycles_in_one_interval:
+            return "Number these steps in a column 'Interval', and the yield locus is found.";
         case Kind::missed_set_point:
             return "The measured values are used, not the set points; check the control of the "
                    "instrument and the gap.";

@@ -43,7 +43,13 @@ struct Remark {
         header_cell,      ///< the header contradicts study.toml
         missed_set_point,
         missing_values,
-        hidden_rows,  ///< a workbook hides rows, which are read
+        hidden_rows,             ///< a workbook hides rows, which are read
+        filled_down,             ///< empty cells have the value of their group
+        far_values,              ///< single values far above all others, as -999
+        impossible_points,       ///< points whose numbers stand for no value, not used
+        returning_load,          ///< points at a load that returns may be preshears
+        falling_line,            ///< the line through points of failure falls
+        cycles_in_one_interval,  ///< preshear and failure are not numbered as intervals
         // Values that are probably wrong.
         repaired_torques,
         restated_copy,  ///< study.toml states other contents for a copy than for the original

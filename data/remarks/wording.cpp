@@ -124,7 +124,7 @@ std::string rows_text(const Remark& rows) {
         case Kind::saturated_row:
             return "saturated: the " + limit_text(rows);
         case Kind::spike:
-            return "spike: torque, force or gap is far off the rows around it";
+            return "spike: torque, force, gap or speed is far off the rows around it";
         case Kind::repeated_reading:
             return fmt::format(
                 "{} {}; the same measurement counts once",

@@ -1,8 +1,9 @@
-#include "data/recordings/step_series.h"
+#include "data/recordings/spikes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace pendular::data_spikes_test {

@@ -160,27 +160,54 @@ std::size_t first_filled_cell(const Row& row) {
 }
 
 /// Whether a word is one of those for a mean, a scatter or the like of the column below which it
-/// stands, in one of the five languages.
+/// stands.
 bool names_statistic(std::string_view word) {
-    constexpr std::array<std::string_view, 17> begins = {
+    constexpr std::array<std::string_view, 31> begins = {
         // as folded_name has them
-        "mean",    "mittel", "average", "durchschnitt", "std",  "sd",  "min", "max",  "median",
-        "moyenne", "ecart",  "media",   "promedio",     "desv", "dev", "sum", "total"};
-    const std::string folded = folded_name(word);
-    return std::ranges::any_of(begins,
+        "mean",   "mittel", "average",  "durchschnitt", "std",      "standard", "stabw",  "min",
+        "max",    "median", "moyenne",  "ecart",        "media",    "promedio", "desv",   "dev",
+        "sum",    "total",  "gemiddel", "srednia",      "medel",    "varian",   "gesamt", "somm",
+        "anzahl", "count",  "odch",     "平均",         "標準偏差", "标准差",   "средн"};
+    constexpr std::array<std::string_view, 8> words = {"n",  "sd",  "se",  "sem",
+                                                       "cv", "rsd", "avg", "var"};
+    std::string folded = folded_name(word);
+    while (!folded.empty() &&
+           std::string_view(":=()%").find(folded.back()) != std::string_view::npos)
+        folded.pop_back();
+    return std::ranges::find(words, folded) != words.end() ||
+           std::ranges::any_of(begins,
                                [&](std::string_view each) { return folded.starts_with(each); });
+}
+
+/// Whether a column counts the rows of a table, as 1, 2, 3: no word there is a value that could not
+/// be measured.
+bool counts_rows(const SourceLines& source, std::size_t begin, std::size_t column, char delimiter) {
+    constexpr std::size_t fewest = 3, most = 20;
+    std::size_t rows = 0;
+    std::optional<double> before;  // a time usually begins at 0, and in steps of another size
+    for (std::size_t i = begin; i < source.lines.size() && rows < most; ++i) {
+        if (first_filled_line(source, i) != i || source.lines[i].starts_with('#')) continue;
+        const Row row = source.row(i, delimiter);
+        const auto number =
+            column < row.cells.size() ? parse_number(row.cells[column].text) : std::nullopt;
+        if (!number) continue;
+        if (*number != before.value_or(0) + 1) return false;
+        before = number;
+        ++rows;
+    }
+    return rows >= fewest;
 }
 
 /// Whether a line is no row of a table whose rows have a first number in a column: it has a word
 /// there, as in "Mean;20,1;5,0", or alone, as in "Step 2: 8 kPa". Where most of its cells are
-/// numbers, only a word for a statistic makes it none: "OL" or a number that cannot be read is a
-/// fault of a row.
-bool stands_for_no_row(const Row& row, std::size_t column) {
+/// numbers, only a word for a statistic makes it none, unless the column counts the rows: "OL" or a
+/// number that cannot be read is a fault of a row.
+bool stands_for_no_row(const Row& row, std::size_t column, bool counted = false) {
     if (!begins_with_word(row)) return false;
     const std::size_t first = first_filled_cell(row);
     const auto numbers =
         std::ranges::count_if(row.cells, [](const Cell& cell) { return is_number(cell.text); });
-    if (2 * numbers >= std::ssize(row.cells) && !names_statistic(row.cells[first].text))
+    if (2 * numbers >= std::ssize(row.cells) && !counted && !names_statistic(row.cells[first].text))
         return false;
     const bool alone =
         std::ranges::all_of(row.cells.begin() + static_cast<std::ptrdiff_t>(first) + 1,
@@ -216,10 +243,11 @@ bool may_be_names(const Row& row) {
 LinesOfWords lines_of_words(const SourceLines& source, std::size_t begin, std::size_t column,
                             char delimiter) {
     LinesOfWords found;
+    const bool counted = counts_rows(source, begin, column, delimiter);
     for (std::size_t i = begin; i < source.lines.size(); ++i) {
         if (first_filled_line(source, i) != i || source.lines[i].starts_with('#')) continue;
         if (may_begin_with_word(source.lines[i]) &&
-            stands_for_no_row(source.row(i, delimiter), column)) {
+            stands_for_no_row(source.row(i, delimiter), column, counted)) {
             found.below.push_back(i);
             continue;
         }
@@ -233,6 +261,29 @@ LinesOfWords lines_of_words(const SourceLines& source, std::size_t begin, std::s
     return found;
 }
 
+/// Leaves out lines below a table whose rows begin with words, if they begin with that of a
+/// statistic: "Mean" below "P1", "P2" and "P3".
+void take_statistics_below(SourceLines& source, std::size_t first, char delimiter,
+                           BlockFile& file) {
+    constexpr std::size_t fewest_rows = 3;
+    std::vector<std::size_t> filled;
+    for (std::size_t i = first; i < source.lines.size(); ++i)
+        if (first_filled_line(source, i) == i && !source.lines[i].starts_with('#'))
+            filled.push_back(i);
+    const auto is_statistic = [&](std::size_t line) {
+        const Row row = source.row(line, delimiter);
+        return begins_with_word(row) && names_statistic(row.cells[first_filled_cell(row)].text);
+    };
+    std::size_t rows = filled.size();
+    while (rows > 0 && is_statistic(filled[rows - 1]))
+        --rows;
+    if (rows < fewest_rows) return;
+    for (std::size_t k = rows; k < filled.size(); ++k) {
+        source.lines[filled[k]] = {};
+        skip_line(file, static_cast<int>(filled[k]) + 1, Remark::Kind::after_interval);
+    }
+}
+
 /// Leaves out lines of words among the rows of a table and below them: titles of its parts, means
 /// of the columns, signatures, and "End of data".
 /// @param first index of the first row
@@ -241,7 +292,7 @@ void take_lines_of_words(SourceLines& source, std::size_t first, char delimiter,
     constexpr std::size_t most_below = 20, fewest_rows = 3, rows_of_a_title = 4;
     const Row row = source.row(first, delimiter);
     // Where the first row begins with a word, others may do so too.
-    if (begins_with_word(row)) return;
+    if (begins_with_word(row)) return take_statistics_below(source, first, delimiter, file);
     LinesOfWords words = lines_of_words(source, first, first_filled_cell(row), delimiter);
     if (words.other_table || words.rows < fewest_rows || words.below.size() > most_below ||
         rows_of_a_title * words.among.size() > words.rows)

@@ -1,0 +1,172 @@
+// Tables of points of failure as people write them: groups that are named once, preshears that a
+// column marks in its own way, lines of means, and numbers that stand for no value.
+#include <fmt/format.h>
+
+#include "data/recordings/file_view.h"
+#include "data/remarks/wording.h"
+#include "tests/support/golden.h"
+
+namespace pendular::data_point_tables_test {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+FileView points(const std::string& text, const std::string& name = "points.csv") {
+    const TemporaryFolder folder;
+    return view_of_file(folder.write(name, text));
+}
+
+std::vector<std::string> told(const FileView& view) {
+    std::vector<std::string> texts;
+    for (const Remark& finding : view.findings)
+        texts.push_back(with_lines(finding, 9));
+    return texts;
+}
+
+/// Cohesions [Pa] of the loci of a table.
+std::vector<double> cohesions(const FileView& view) {
+    std::vector<double> result;
+    for (const YieldLocus& locus : view.loci)
+        result.push_back(locus.line ? locus.line->cohesion : -1);
+    return result;
+}
+
+/// Points on 200 Pa + 0.51 s and on 380 Pa + 0.51 s, whose group stands in its first row alone.
+std::string grouped(const std::string& name, const std::string& first, const std::string& second) {
+    return name + ";Normalspannung [kPa];Scherspannung [kPa]\n" + first + ";1,0;0,71\n;2,0;1,22\n" +
+           ";3,0;1,73\n" + second + ";2,0;1,40\n;4,0;2,42\n;6,0;3,44\n";
+}
+
+/// Merged cells leave all but their first row empty in a CSV file.
+TEST(GroupsNamedOnce, AreFilledDown) {
+    for (const auto& [name, first, second] :
+         {std::tuple("Vorscherspannung [kPa]", "4", "8"), std::tuple("Material", "Sand", "Mehl"),
+          std::tuple("Probe", "1", "2"), std::tuple("Charge", "A7", "A9"),
+          std::tuple("Wandmaterial", "Stahl", "PTFE")}) {
+        const FileView view = points(grouped(name, first, second));
+        EXPECT_THAT(cohesions(view), testing::Pointwise(testing::DoubleNear(1e-6), {200.0, 380.0}))
+            << name;
+    }
+    expect_told(told(points(grouped("Material", "Sand", "Mehl"))));
+    // Both stresses of the preshear stand once.
+    const FileView both = points(
+        "sigma pre [Pa],tau pre [Pa],Normal stress [Pa],Shear stress [Pa]\n4000,2100,1000,710\n"
+        ",,2000,1220\n,,3000,1730\n");
+    ASSERT_THAT(both.loci, SizeIs(1));
+    EXPECT_EQ(both.loci[0].preshear->shear_stress, 2100);
+}
+
+TEST(GroupsNamedOnce, AreNotGuessedWhereRowsRepeatThem) {
+    expect_told({input_error([] {
+        points(
+            "Sample,Normal stress [kPa],Shear stress [kPa]\nSand,1,0.71\nSand,2,1.22\n"
+            ",3,1.73\nFlour,1,1.10\nFlour,2,1.42\nFlour,3,1.74\n");
+    })});
+}
+
+/// Preshears at 9 kPa before points at 7, 5, 3 and 2 kPa.
+std::string marked(const std::string& name, const std::string& preshear, const std::string& shear) {
+    std::string text = "Normal stress [kPa],Shear stress [kPa]," + name + "\n";
+    const double loads[] = {7, 5, 3, 2}, peaks[] = {4.52, 3.49, 2.41, 1.88};
+    for (int i = 0; i < 4; ++i)
+        text +=
+            fmt::format("9,{},{}\n{},{},{}\n", 4.9 + 0.01 * i, preshear, loads[i], peaks[i], shear);
+    return text;
+}
+
+TEST(MarkedPreshears, AreNoPointsOfFailure) {
+    for (const auto& [name, preshear, shear] :
+         {std::tuple("Note", "preshear", ""), std::tuple("Remark", "consolidation", ""),
+          std::tuple("Type", "P", "S"), std::tuple("Art", "Anscheren", "Abscheren"),
+          std::tuple("Remark", "steady state", "peak"), std::tuple("Preshear?", "yes", "no"),
+          std::tuple("preshear", "1", "0"), std::tuple("Vorscheren", "ja", ""),
+          std::tuple("Comment", "steady-state flow", "incipient flow"),
+          std::tuple("Point", "pre", "s1"), std::tuple("Phase", "stationär", "Peak")}) {
+        const FileView view = points(marked(name, preshear, shear));
+        EXPECT_THAT(cohesions(view), testing::ElementsAre(testing::DoubleNear(826, 1)))
+            << name << " " << preshear;
+        ASSERT_THAT(view.loci, SizeIs(1));
+        ASSERT_TRUE(view.loci[0].preshear) << name;
+        // The preshear is the mean over all of its rows.
+        EXPECT_NEAR(view.loci[0].preshear->shear_stress, 4915, 1e-6);
+        EXPECT_NEAR(view.loci[0].preshear->shear_stress_error.value(), 12.91 / 2, 0.01);
+    }
+}
+
+TEST(MarkedPreshears, AreNotGuessedFromLetters) {
+    // P and S are materials here, and steady states follow peaks at the same load.
+    EXPECT_THAT(points("Powder,Normal stress [kPa],Shear stress [kPa]\nP,1,0.71\nP,2,1.22\n"
+                       "P,3,1.73\nS,1,1.10\nS,2,1.42\nS,3,1.74\n")
+                    .loci,
+                SizeIs(2));
+    const FileView view = points(
+        "Normal stress [kPa],Shear stress [kPa],State\n1,0.71,peak\n1,0.5,steady state\n"
+        "2,1.22,peak\n2,1.0,steady state\n3,1.73,peak\n3,1.5,steady state\n");
+    EXPECT_THAT(cohesions(view), testing::ElementsAre(testing::DoubleNear(200, 1e-6)));
+    EXPECT_FALSE(view.loci[0].preshear);
+}
+
+/// Without a mark, the file is read as it stands, and said to be doubtful.
+TEST(UnmarkedPreshears, AreTold) {
+    expect_told(told(points(marked("Nr", "1", "2"))));
+    // Two levels of preshears.
+    expect_told(told(points(
+        "Normal stress [kPa],Shear stress [kPa]\n5,3.4\n1,1.12\n5,3.4\n2,1.84\n5,3.4\n3,2.46\n"
+        "10,6.8\n2,2.2\n10,6.8\n4,3.7\n10,6.8\n6,4.9\n")));
+    EXPECT_THAT(told(points("Normal stress [kPa],Shear stress [kPa]\n1,0.7\n2,1.2\n3,1.7\n1,0.71\n"
+                            "2,1.21\n3,1.71\n")),
+                IsEmpty());
+}
+
+TEST(PreshearsAboveATable, AreThoseOfItsPoints) {
+    const FileView view = points(
+        "Schulze ring shear tester\nPreshear normal stress: 5 kPa\nPreshear shear stress: 3400 Pa\n"
+        "Normal stress [Pa];Shear stress [Pa]\n1000;1120\n2000;1840\n3000;2460\n4000;2990\n");
+    ASSERT_THAT(view.loci, SizeIs(1));
+    ASSERT_TRUE(view.loci[0].preshear);
+    EXPECT_EQ(view.loci[0].preshear->normal_stress, 5000);
+    EXPECT_EQ(view.loci[0].preshear->shear_stress, 3400);
+}
+
+/// Lines of a mean or a scatter, in any language where the rows are counted.
+TEST(LinesOfStatistics, AreNoPoints) {
+    for (const std::string first : {"1\n2\n3\n4", "P1\nP2\nP3\nP4"}) {
+        for (const std::string end :
+             {"Summe;10,0;5,90\nMittelwert;2,5;1,475\nStabw;1,29;0,66\n", "Stabw;1,29;0,66\n",
+              "n;4;4\nMean;2,5;1,475\nSD;1,29;0,66\nMax;4,0;2,24\n",
+              "Średnia;2,5;1,475\nOdch. std.;1,29;0,66\n", "平均;2,5;1,475\n",
+              "Gemiddelde;2,5;1,475\nVarianz;1,66;0,43\nRSD;0,5;0,4\n"}) {
+            std::istringstream labels(first);
+            std::string text = "Nr;Normalspannung [kPa];Scherspannung [kPa]\n", label;
+            for (const char* const point : {"1,0;0,71", "2,0;1,22", "3,0;1,73", "4,0;2,24"}) {
+                std::getline(labels, label);
+                text += label + ";" + point + "\n";
+            }
+            const FileView view = points(text + end);
+            EXPECT_THAT(cohesions(view), testing::ElementsAre(testing::DoubleNear(200, 1e-6)))
+                << first << end;
+        }
+    }
+    EXPECT_THAT(cohesions(points("Nr;Normalspannung [kPa];Scherspannung [kPa]\n1;1,0;0,71\n"
+                                 "2;2,0;1,22\n3;3,0;1,73\nSzórás;1;0,5\n")),
+                testing::ElementsAre(testing::DoubleNear(200, 1e-6)));
+}
+
+TEST(NumbersForNoValue, AreNoPoints) {
+    const FileView view = points(
+        "Normal stress [kPa],Shear stress [kPa]\n1,0.71\n2,-999\n3,1.73\n4,-999\n5,2.75\n6,3.26\n");
+    EXPECT_THAT(cohesions(view), testing::ElementsAre(testing::DoubleNear(200, 1e-6)));
+    std::vector<std::string> texts = told(view);
+    for (const std::string& text :
+         told(points("Normal stress [Pa],Shear stress [Pa]\n100,300\n200,200\n300,100\n")))
+        texts.push_back(text);
+    expect_told(texts);
+    EXPECT_THAT(cohesions(points("Normal stress [kPa],Shear stress [kPa]\n1,0.71\n2,1.22\n"
+                                 "3,1.73\n4,999\n")),
+                testing::ElementsAre(testing::DoubleNear(200, 1e-6)));
+    // A tester that turns the other way.
+    EXPECT_THAT(told(points("Normal stress [kPa],Shear stress [kPa]\n1,-0.7\n2,-1.2\n3,-1.7\n")),
+                IsEmpty());
+}
+
+}  // namespace pendular::data_point_tables_test
