@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <ranges>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -294,8 +294,8 @@ std::string rows_sentence(const FileView& view) {
 /// Advice where no interval has all columns of steady shear.
 std::string advice_on_missing(const FileView& view) {
     if (!view.loci.empty()) return "Its points of failure need only the stresses.";
-    if (const std::string results = results_sentence(view); !results.empty()) return results;
-    const std::string rows = rows_sentence(view);
+    if (std::string results = results_sentence(view); !results.empty()) return results;
+    std::string rows = rows_sentence(view);
     return rows.empty() ? "Export these columns too." : rows;
 }
 
@@ -326,7 +326,8 @@ std::string missing_sentence(const FileView& view) {
         fmt::join(view.missing, ", no "));
     add_sentence(text, advice_on_missing(view));
     constexpr std::size_t most = 4;  // of many columns in pascals, none is more likely than another
-    for (const BlockColumn& column : view.candidates | std::views::take(most))
+    for (const BlockColumn& column :
+         std::span(view.candidates).first(std::min(most, view.candidates.size())))
         if (column.quantity != "interval")  // not missing
             add_sentence(text, candidate_sentence(column, view));
     if (view.candidates.size() > most)

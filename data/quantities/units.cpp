@@ -478,7 +478,7 @@ std::string wrong_dimension(const Unit& unit, const Unit& expected) {
 }
 
 std::string weight_meant(std::string_view spelling) {
-    const std::string weight = with_weights(spelling);
+    std::string weight = with_weights(spelling);
     if (weight.empty()) return "";
     try {
         const Unit unit(weight);
