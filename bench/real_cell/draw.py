@@ -112,7 +112,8 @@ def summary(states, profiles):
     strips = defaultdict(list)
     for key, state in sorted(states.items()):
         cell = cell_named(key[0])
-        if cell.rolling or cell.deviation:  # theory.py has the stress ratios of equal, free grains
+        # theory.py has the stress ratios of equal, free, dry grains.
+        if cell.rolling or cell.deviation or cell.bridge_volume:
             continue
         gap, height = state["gap [a]"], state["sheared_height [a]"]
         walls = mobilised(profiles[key], height, gap) if cell.wall_friction else 0
