@@ -61,7 +61,7 @@ bool of_one_sense(std::span<const double> speeds) {
     std::ranges::sort(sorted);
     const auto few = static_cast<std::size_t>(aside * static_cast<double>(sorted.size()));
     const double least = sorted[few], greatest = sorted[sorted.size() - 1 - few];
-    const auto [slow, fast] = std::minmax(std::abs(least), std::abs(greatest));
+    const auto [slow, fast] = std::minmax({std::abs(least), std::abs(greatest)});
     return least * greatest > 0 && slow > least_of_greatest * fast;
 }
 
