@@ -32,12 +32,6 @@ std::vector<std::string> intervals_table(const FileView& view);
 /// @param all whether to name all lines concerned; otherwise at most 8 ranges of lines a sentence
 std::vector<std::string> checks_lines(const FileView& view, bool all);
 
-/// Returns the quantities that readings of steady shear need but the file lacks, such as the gap
-/// height, and asks the user to export them; with yield loci it says that points of failure need
-/// only the stresses. If all intervals are of other tests, it says that nothing is read. Empty if
-/// nothing is lacking or the file is a report of yield loci.
-std::string missing_sentence(const FileView& view);
-
 /// Returns what `pendular import STUDY` says of the readings of a study.
 /// @param folder of readings.csv and excluded.csv
 /// @param study the study's name as the user gave it

@@ -4,118 +4,25 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
 
 #include "data/files/file_access.h"
-#include "data/files/folded_name.h"
 #include "data/files/formats/sheets.h"
-#include "data/files/missing_mark.h"
 #include "data/files/sheet_path.h"
 #include "data/files/text_file.h"
-#include "data/files/text_pattern.h"
 #include "data/input_error.h"
-#include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/remarks/wording.h"
 #include "data/study/study_edit.h"
+#include "workflow/begun_tables.h"
 #include "workflow/file_views.h"
+#include "workflow/study_guesses.h"
 
 namespace pendular {
 namespace {
-
-/// A value for study.toml with a comment on its origin.
-struct Guess {
-    std::string value, from;
-};
-
-/// Texts of a file that may say what was measured, the most specific first: names of tests and
-/// samples, the file's name, the project's name.
-std::string texts_of(const FileView& view) {
-    std::string text;
-    for (const Block& block : view.file.blocks)
-        if (text.empty()) text = block.test;
-    for (const std::string key : {"Sample name", "Name"})
-        text += " | " + view.file.fact(key);
-    text += " | " + file_to_open(view.file.file).stem().string();
-    if (const auto sheet = as_sheet(view.file.file)) text += " | " + sheet->sheet;
-    for (const std::string key : {"Project", "Projet", "Projekt"})
-        text += " | " + view.file.fact(key);
-    return text;
-}
-
-Guess guessed_diameter(const std::string& texts) {
-    static const TextPattern length(R"((\d+(?:[.,]\d+)?)\s*(mm|um|µm|μm)(?![A-Za-z]))");
-    const auto found = length.first(texts);
-    if (!found) return {"500 um", "GUESS: the file does not state the diameter"};
-    std::string number = found->parts[1];
-    std::ranges::replace(number, ',', '.');
-    return {fmt::format("{} {}", number, found->parts[2]),
-            fmt::format("GUESS: from \"{}\" in the names of file and test", found->parts[0])};
-}
-
-/// Mass of liquid over mass of grains that the names of file and test state, in per cent.
-std::optional<double> stated_percent(const std::string& texts) {
-    static const TextPattern percent(R"((\d+(?:[.,p]\d+)?)\s*(?:%|pct))");
-    static const TextPattern water(R"(_w(\d+)_)");
-    auto found = percent.first(texts);
-    if (!found) found = water.first(texts);
-    if (!found) return std::nullopt;
-    std::string number = found->parts[1];
-    std::ranges::replace(number, ',', '.');
-    std::ranges::replace(number, 'p', '.');
-    return parse_number(number);
-}
-
-/// Whether a word in small letters says that grains are wet, in one of the five languages, Polish,
-/// Czech, Dutch, Swedish, Danish, Portuguese, Turkish, Hungarian or Finnish. Words for
-/// humidity are left out, which may be that of the air.
-bool says_wet(std::string_view word) {
-    constexpr std::array begins = {"wet",     "moist",   "nass",    "naß",    "feucht", "wasser",
-                                   "mouillé", "mouille", "mojad",   "bagnat", "mokr",   "wilgotn",
-                                   "vlhk",    "våt",     "våd",     "molhad", "ıslak",  "islak",
-                                   "nedves",  "märk",    "vochtig", "fugtig", "fuktig"};
-    constexpr std::array whole = {
-        "water",  "eau",   "agua",   "acqua", "humide", "humides", "húmedo", "húmeda", "humedo",
-        "humeda", "umido", "umida",  "umidi", "umide",  "oil",     "öl",     "oel",    "natte",
-        "woda",   "voda",  "vatten", "vand",  "víz",    "vizes",   "vesi",   "água"};
-    return std::ranges::any_of(begins,
-                               [&](std::string_view each) { return word.starts_with(each); }) ||
-           std::ranges::find(whole, word) != whole.end();
-}
-
-bool named_wet(const std::string& texts) {
-    static const TextPattern water(R"(_w\d)");  // "glass_w10"
-    if (water.first(texts)) return true;
-    std::string word;
-    for (const char c : lower_case(texts) + " ") {
-        // Bytes beyond ASCII are parts of letters.
-        if (std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) > 0x7f) {
-            word += c;
-            continue;
-        }
-        if (says_wet(word)) return true;
-        word.clear();
-    }
-    return false;
-}
-
-/// Densities [kg/m^3] with which a mass of liquid over that of grains becomes a liquid content; the
-/// study marks the result as a guess.
-constexpr double glass_density = 2500, water_density = 1000;
-
-/// Mass of liquid over mass of grains [1] that the names of file and test suggest; 0 for dry
-/// grains.
-double guessed_mass_ratio(const std::string& texts) {
-    return named_wet(texts) ? stated_percent(texts).value_or(1) / 100 : 0;
-}
 
 /// Text for a comment, without the control characters that TOML does not allow there.
 std::string comment_text(std::string text) {
@@ -165,80 +72,6 @@ std::string cell_text(const FileView& view, bool steady) {
         text += entry("lever_arm", {"0.2 m", "GUESS: distance of the load cell from the axis"});
     if (steady) text += entry("bead_mass", {"20 g", "GUESS: weigh the beads"});
     return text + "\n";
-}
-
-/// Header of a table of points, with the name and unit of the column of the solid fraction.
-/// @param more names of further columns
-std::string points_header(const std::string& fraction, const std::string& unit,
-                          const char* more = "") {
-    return fmt::format(
-        "normal_stress [Pa],shear_stress [Pa],shear_stress_se [Pa],{0} [{1}],{0}_se [{1}],"
-        "inertial_number [1],line [1],preshear_stress [Pa]{2}\n",
-        fraction, unit, more);
-}
-
-/// Row of a point. The standard deviation of the shear stress is at least 1 %: even a peak without
-/// noise is not exact.
-/// @param fraction cells of the solid fraction, "0.60,0.1" if nothing is known
-/// @param end cells of the preshear's normal stress [Pa] and of further columns
-std::string point_row(double normal, double shear, double deviation, int line,
-                      const std::string& fraction, const std::string& end = "") {
-    return fmt::format("{:.6g},{:.6g},{:.3g},{},0,{},{}\n", normal, shear,
-                       std::max(deviation, 0.01 * shear), fraction, line, end);
-}
-
-/// Cells of a solid fraction of which nothing is known.
-constexpr const char* unknown_fraction = "0.60,0.1";
-
-/// Table of the points of failure, each of which says that it is one.
-std::string failure_table(const FileView& view) {
-    std::string text = points_header("solid_fraction", "1", ",failure [1]");
-    for (const YieldLocus& locus : view.loci)
-        for (const FailurePoint& point : locus.points)
-            text += point_row(
-                point.smoothed_normal_stress, point.smoothed_shear_stress,
-                point.shear_stress - point.smoothed_shear_stress, point.line, unknown_fraction,
-                (locus.preshear ? fmt::format("{:.6g}", locus.preshear->normal_stress) : "") +
-                    ",1");
-    return text;
-}
-
-/// Indices of the preshears that have both stresses and reached a plateau; of all with both
-/// stresses if none did.
-std::vector<std::size_t> steady_preshears(const FileView& view) {
-    std::vector<std::size_t> all, plateaus;
-    for (std::size_t i = 0; i < view.series.size(); ++i) {
-        const IntervalSeries& series = view.series[i];
-        if (view.roles[i].role != "preshear" || series.shear_stress.empty() ||
-            series.normal_stress.empty())
-            continue;
-        all.push_back(i);
-        if (preshear_point(series).plateau) plateaus.push_back(i);
-    }
-    return plateaus.empty() ? all : plateaus;
-}
-
-/// Table of the ends of the preshears in steady shear; empty if there are none. If the file states
-/// bulk densities, they are given without the liquid, with a standard deviation of 1 %.
-std::string steady_table(const FileView& view, double mass_ratio) {
-    const bool weighed =
-        std::ranges::any_of(view.file.blocks, [](const Block& b) { return !!b.bulk_density; });
-    std::string text;
-    for (const std::size_t i : steady_preshears(view)) {
-        const IntervalSeries& series = view.series[i];
-        const std::optional<double> bulk = view.file.blocks[i].bulk_density;
-        if (bulk.has_value() != weighed) continue;
-        const double density = bulk.value_or(0) / (1 + mass_ratio);
-        const PreshearPoint point = preshear_point(series);
-        text += point_row(
-            point.normal_stress, point.shear_stress, point.shear_stress_deviation,
-            series.line.back(),
-            weighed ? fmt::format("{:.5g},{:.3g}", density, 0.01 * density) : unknown_fraction);
-    }
-    if (text.empty()) return text;
-    return (weighed ? points_header("bulk_density", "kg/m^3")
-                    : points_header("solid_fraction", "1")) +
-           text;
 }
 
 /// Lines of an entry on how the file is to be read, as the user stated it.
@@ -331,17 +164,16 @@ std::string comment_on_tests(const FileView& view) {
     constexpr std::size_t told = 3;
     const bool more = tests.size() > told;
     if (more) tests.resize(told);
-    std::string names = fmt::format("{}{}", fmt::join(tests, ", "), more ? ", ..." : "");
-    std::ranges::replace_if(
-        names, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-    return fmt::format("             # GUESS: {} are of one material; if not, divide the table",
-                       names);
+    return fmt::format("             # GUESS: {}{} are of one material; if not, divide the table",
+                       comment_text(fmt::format("{}", fmt::join(tests, ", "))),
+                       more ? ", ..." : "");
 }
 
 /// @param suffix of the names of tables
 /// @param steady whether there is a table of preshears
 std::string entries_text(const FileView& view, const FileFormat& format, const std::string& suffix,
                          bool steady, const std::string& liquid_content) {
+    const std::string of_rows = states_contents(view) ? "" : liquid_content;
     std::string text;
     if (has_steady_recording(view))
         text += fmt::format(
@@ -352,7 +184,7 @@ std::string entries_text(const FileView& view, const FileFormat& format, const s
         text += fmt::format(
             "[[readings]]                     # ends of the preshears, in steady "
             "shear\nfile = \"steady{}.csv\"\n{}\n",
-            suffix, liquid_content);
+            suffix, of_rows);
     if (!view.loci.empty())
         text += fmt::format(
             "[[readings]]                     # points of failure: peaks, which may lie above "
@@ -361,7 +193,7 @@ std::string entries_text(const FileView& view, const FileFormat& format, const s
             view.file.table_of_points ? "                # GUESS: peaks; for steady shear, remove "
                                         "this line and the column failure"
                                       : "",
-            liquid_content);
+            of_rows);
     return text;
 }
 
@@ -431,6 +263,24 @@ FileFormat format_of_entry(const FileView& view, FileFormat format, bool one_of_
     return format;
 }
 
+/// Whether a row of a table of points states a liquid content of which this holds.
+bool states_any(const FileView& view, bool (*holds)(double)) {
+    return std::ranges::any_of(view.file.blocks, [&](const Block& block) {
+        return block.liquid_content && holds(*block.liquid_content);
+    });
+}
+
+/// Whether any file has dry grains, by its rows or else by its names.
+bool has_dry(const std::vector<FileView>& views, const std::vector<double>& mass_ratios) {
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        const bool dry = states_contents(views[k])
+                             ? states_any(views[k], [](double content) { return content == 0; })
+                             : mass_ratios[k] == 0;
+        if (dry) return true;
+    }
+    return false;
+}
+
 std::string grains_text(const std::string& name, const std::string& texts, bool wet) {
     std::string text = fmt::format(
         "# Begun by pendular import from {}.\n# Check every line marked GUESS: the file does not "
@@ -471,7 +321,10 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
     std::vector<double> mass_ratios;
     for (const FileView& view : views)
         mass_ratios.push_back(guessed_mass_ratio(texts_of(view)));
-    const bool wet = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio > 0; });
+    const bool wet = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio > 0; }) ||
+                     std::ranges::any_of(views, [](const FileView& view) {
+                         return states_any(view, [](double content) { return content > 0; });
+                     });
     std::map<std::string, std::string> files;
     std::string entries;
     for (std::size_t k = 0; k < views.size(); ++k) {
@@ -490,7 +343,7 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
     if (entries.empty()) refuse_to_begin(views.front());
     const FileView* const cell = view_with_cell(views);
     const bool any_steady = std::ranges::any_of(views, has_steady_recording);
-    const bool dry = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio == 0; });
+    const bool dry = has_dry(views, mass_ratios);
     files["study.toml"] = grains_text(name, texts_of(views.front()), wet) +
                           (cell ? cell_text(*cell, any_steady) : "") + entries +
                           end_text(cell != nullptr, !dry);

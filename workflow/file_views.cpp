@@ -41,11 +41,8 @@ std::string columns_to_name(const FileView& view) {
     for (const BlockColumn& column : view.candidates) {
         if (column.quantity == "interval") continue;  // not missing
         const bool fits = is_unit(column.unit) && unit_fits(column.unit, column.quantity);
-        std::vector<std::string> meanings;
-        for (const std::string_view each : possible_quantities(column, view))
-            meanings.push_back(fmt::format("the {}", quantity(each).meaning));
         text += fmt::format("; if '{} [{}]' is {}, write {}", column.name, column.unit,
-                            fmt::join(meanings, " or "),
+                            possible_meanings(column, view),
                             line_to_name(column.quantity, column.name,
                                          fits ? column.unit : usual_unit(column.quantity)));
     }
@@ -53,6 +50,15 @@ std::string columns_to_name(const FileView& view) {
 }
 
 }  // namespace
+
+std::string possible_meanings(const BlockColumn& column, const FileView& view) {
+    std::vector<std::string> meanings;
+    for (const std::string_view each : possible_quantities(column, view))
+        meanings.push_back(fmt::format("the {}", quantity(each).meaning));
+    constexpr std::size_t most = 2;
+    if (meanings.empty() || meanings.size() > most) return "one of these";
+    return fmt::format("{}", fmt::join(meanings, ", or "));
+}
 
 bool is_recorded_in_tension(const FileView& view) {
     return std::ranges::find(view.findings, Remark::Kind::no_compression, &Remark::kind) !=

@@ -50,6 +50,9 @@ bool is_recorded_in_tension(const FileView& view);
 /// Whether a file has intervals of steady shear under compression with all that a recording needs.
 bool has_steady_recording(const FileView& view);
 
+/// Returns what a column that is not used may be, in words: "the torque, or the shear stress".
+std::string possible_meanings(const BlockColumn& column, const FileView& view);
+
 /// @throws InputError that says what a file lacks to begin a study with
 [[noreturn]] void refuse_to_begin(const FileView& view);
 

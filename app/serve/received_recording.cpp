@@ -17,7 +17,7 @@
 #include "data/input_error.h"
 #include "data/recordings/file_view.h"
 #include "data/study/study.h"
-#include "reports/file_report.h"
+#include "reports/file_advice.h"
 #include "workflow/study_input.h"
 
 namespace pendular::app {

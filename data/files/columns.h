@@ -27,14 +27,6 @@ Digits digits_of(const std::vector<std::string_view>& cells);
 /// column without digits. Rounding to the step causes an error with the variance step^2/12.
 double resolution_of(double value, const Digits& digits);
 
-/// Replaces names that instruments and people use, such as "Drehmoment [mNm]", by the names of
-/// quantities (`meaning_of_column`): "torque [mNm]". A quantity that the header names by itself
-/// (`find_quantity`) is left alone, a name of a stress ratio or a bulk density beside a shear
-/// stress or a solid fraction (or the contrary, if the header names these itself) too, and of
-/// several names of one quantity only the first in the order of preference is replaced. Errors go
-/// with their values, by name or, for a bare mark such as "±", by standing behind them.
-void use_names_of_quantities(Row& header);
-
 /// Values of a table in SI units, found by the name of a quantity such as "torque", in any order of
 /// the columns.
 /// - Header cells read as in `parse_header_cell`.

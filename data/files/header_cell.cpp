@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "data/files/column_names.h"
+#include "data/files/folded_name.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
@@ -39,14 +40,13 @@ std::size_t opening_bracket(std::string_view text) {
 }
 
 struct Spelling {
-    std::string_view text;  ///< in lower case, as far as ASCII goes
+    std::string_view text;  ///< in lower case
     ErrorMark mark;
 };
 // A spelling stands before those with which it ends.
 constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::standard_deviation},
                                   Spelling{"standardabweichung", ErrorMark::standard_deviation},
                                   Spelling{"écart-type", ErrorMark::standard_deviation},
-                                  Spelling{"Écart-type", ErrorMark::standard_deviation},
                                   Spelling{"ecart-type", ErrorMark::standard_deviation},
                                   Spelling{"desviación estándar", ErrorMark::standard_deviation},
                                   Spelling{"desviacion estandar", ErrorMark::standard_deviation},
@@ -80,16 +80,9 @@ constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::stan
                                   Spelling{"+/-", ErrorMark::standard_error},
                                   Spelling{"+-", ErrorMark::standard_error}};
 
-std::string in_lower_case(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
-
 /// Takes a mark of errors such as "_sd" off the end of a name, with its separator.
 ErrorMark take_mark(std::string_view& name) {
-    const std::string lower = in_lower_case(name);
+    const std::string lower = lower_case(name);
     for (const auto& [text, mark] : spellings) {
         if (!lower.ends_with(text) || lower.size() <= text.size()) continue;
         const char separator = lower[lower.size() - text.size() - 1];
@@ -121,16 +114,17 @@ std::string without_brackets(std::string_view text) {
 
 /// Takes off the words between a mark and a name: "of the", "der".
 std::string_view without_article(std::string_view text) {
+    const std::string lower = lower_case(text);
     for (const std::string_view word :
          {"of the ", "of ", "in the ", "in ", "der ", "des ", "de la ", "de l'", "del ", "de ",
           "du ", "della ", "dello ", "di "})
-        if (in_lower_case(text).starts_with(word)) return text.substr(word.size());
+        if (lower.starts_with(word)) return text.substr(word.size());
     return text;
 }
 
 /// The parts of a cell with a mark of errors at its beginning.
 Marked leading_mark(std::string_view text) {
-    const std::string lower = in_lower_case(text);
+    const std::string lower = lower_case(text);
     // "u(tau)" is how the GUM writes a standard uncertainty; "u" alone may be a velocity.
     if (lower.starts_with("u("))
         return {ErrorMark::standard_error, without_brackets(text.substr(1))};
@@ -254,7 +248,7 @@ std::string_view suffix_of(ErrorMark mark) {
 }
 
 ErrorMark bare_mark(const HeaderCell& cell) {
-    const std::string lower = in_lower_case(cell.name);
+    const std::string lower = lower_case(cell.name);
     const auto found = std::ranges::find(spellings, lower, &Spelling::text);
     if (cell.mark != ErrorMark::none || found == spellings.end()) return ErrorMark::none;
     constexpr std::array faults = {"error", "fehler", "erreur", "errore"};

@@ -46,7 +46,7 @@ const std::vector<NeededGroup>& groups() {
 /// Parts of names of columns, as `folded_name` has them, that are no measured values of a quantity
 /// that is needed. Those of up to four letters count at the begin of a word.
 struct OtherNames {
-    std::string_view quantity;  ///< empty: of any
+    std::string_view quantity;  ///< or the end of its name: "stress" for both; empty: of any
     std::vector<std::string_view> parts;
 };
 
@@ -68,13 +68,11 @@ const std::vector<OtherNames>& other_names() {
           "tension", "traction", "weight",  "gewicht",    "poids",   "peso",     "drag",
           "lift",    "adhesi",   "cohesi",  "lever",      "hebel",   "buoyan",   "inertia"}},
         {"normal_stress",
-         {"ambient", "umgebung", "atmo",    "air",    "luft",   "baro",   "pore",  "suction",
-          "saug",    "vacuum",   "vakuum",  "fluid",  "water",  "wasser", "gas",   "vapo",
-          "dampf",   "hydraul",  "pneumat", "supply", "capill", "kapill", "modul", "yield",
-          "fliess",  "strength", "festigk", "cohesi", "kohasi", "tangen"}},
-        {"shear_stress", {"ambient", "umgebung", "atmo",     "air",     "luft",   "baro",   "pore",
-                          "suction", "saug",     "vacuum",   "vakuum",  "capill", "kapill", "modul",
-                          "yield",   "fliess",   "strength", "festigk", "cohesi", "kohasi"}},
+         {"fluid", "water", "wasser", "gas", "vapo", "dampf", "hydraul", "pneumat", "supply",
+          "tangen"}},
+        {"stress", {"air",     "ambient", "umgebung", "atmo",    "luft",   "baro",   "pore",
+                    "suction", "saug",    "vacuum",   "vakuum",  "capill", "kapill", "modul",
+                    "yield",   "fliess",  "strength", "festigk", "cohesi", "kohasi"}},
         {"torque",
          {"bearing", "lager", "friction", "reibung", "frottement", "attrito", "inertia", "tragheit",
           "idle", "seal", "dichtung", "zero", "null", "energy", "work"}},
@@ -117,8 +115,7 @@ bool names_other(std::string_view name, std::string_view quantity) {
     };
     return std::ranges::any_of(words, across) || name.starts_with("Δ") ||
            std::ranges::any_of(other_names(), [&](const OtherNames& each) {
-               return (each.quantity.empty() || each.quantity == quantity) &&
-                      std::ranges::any_of(each.parts, has);
+               return quantity.ends_with(each.quantity) && std::ranges::any_of(each.parts, has);
            });
 }
 

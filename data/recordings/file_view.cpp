@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <string_view>
 
@@ -165,19 +166,36 @@ void split_by_interval(BlockFile& file) {
     }
 }
 
-/// Appends the rows of a table of points as one block each.
+void add_to_name(std::string& test, const std::string& part) {
+    if (!test.empty()) test += ", ";
+    test += part;
+}
+
+/// Liquid contents of the rows of a table [1]; empty where the table does not state it.
+std::vector<std::optional<double>> contents_of(const Table& table, const Columns& columns) {
+    std::vector<std::optional<double>> contents;
+    for (const Row& row : table.rows)
+        contents.push_back(columns.value_if_any(row, "liquid_content"));
+    return contents;
+}
+
+/// Appends the rows of a table of points as one block each. Rows of one name and liquid content are
+/// one test.
 void append_points(const Block& whole, BlockFile& file) {
     const Columns columns(whole.table);
     const PointTexts texts = texts_of_points(whole);
+    const std::vector<std::optional<double>> contents = contents_of(whole.table, columns);
+    const bool contents_differ = std::ranges::adjacent_find(contents, std::not_equal_to{}) !=
+                                 contents.end();
     for (std::size_t i = 0; i < whole.table.rows.size(); ++i) {
         const Row& row = whole.table.rows[i];
         count_interval(file, row.line, whole.columns.size());
         Block& block = file.blocks.emplace_back();
         block.test = whole.test;
-        if (!texts.tests.empty()) {
-            if (!block.test.empty()) block.test += ", ";
-            block.test += texts.tests[i];
-        }
+        if (!texts.tests.empty()) add_to_name(block.test, texts.tests[i]);
+        block.liquid_content = contents[i];
+        if (contents_differ && contents[i])
+            add_to_name(block.test, fmt::format("liquid content {:.4g}", *contents[i]));
         if (!texts.roles.empty()) block.stated_role = texts.roles[i];
         block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
         block.preshear_shear_stress = columns.value_if_any(row, "preshear_shear_stress");

@@ -65,16 +65,53 @@ std::vector<std::size_t> rows_to_fill(const Block& block, std::size_t column) {
                                  block.columns[column].name));
 }
 
+bool names_groups(const BlockColumn& column) {
+    return column.quantity.empty() && names_tests(column.name);
+}
+
+/// Indices of the rows, but the first, in which a column of names begins a group.
+std::set<std::size_t> begins_of_groups(const Block& block) {
+    std::set<std::size_t> begins;
+    for (std::size_t column = 0; column < block.columns.size(); ++column) {
+        if (!names_groups(block.columns[column])) continue;
+        std::string before;
+        for (std::size_t i = 0; i < block.table.rows.size(); ++i) {
+            const std::string& text = block.table.rows[i].cells[column].text;
+            if (text.empty() || text == before) continue;
+            if (!before.empty()) begins.insert(i);
+            before = text;
+        }
+    }
+    return begins;
+}
+
+/// @throws InputError at an empty cell in which a group begins: whether the value above holds for
+///         this group too is not known
+void refuse_across_groups(const Block& block, std::size_t column,
+                          const std::vector<std::size_t>& empty,
+                          const std::set<std::size_t>& begins) {
+    const auto across =
+        std::ranges::find_if(empty, [&](std::size_t row) { return begins.contains(row); });
+    if (across == empty.end()) return;
+    const Row& row = block.table.rows[*across];
+    throw InputError({block.table.file, row.line, row.cells[column].column},
+                     fmt::format("another group begins in this row, and the column '{}' has no "
+                                 "value for it: write into each row which value it has",
+                                 block.columns[column].name));
+}
+
 }  // namespace
 
 std::vector<Remark> fill_down(Block& table) {
+    const std::set<std::size_t> begins = begins_of_groups(table);
     std::vector<Remark> found;
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const BlockColumn& column = table.columns[i];
-        const bool names = column.quantity.empty() && names_tests(column.name);
+        const bool names = names_groups(column);
         if (!names && (column.quantity != "preshear_stress" || column.of_errors)) continue;
         groups.push_back(rows_to_fill(table, i));
+        if (!names) refuse_across_groups(table, i, groups.back(), begins);
         if (!groups.back().empty()) found.push_back(filled(table, i, groups.back()));
     }
     for (std::size_t i = 0; i < table.columns.size(); ++i) {

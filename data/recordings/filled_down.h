@@ -11,7 +11,8 @@ namespace pendular {
 /// like (`names_tests`). A preshear's shear stress is filled only where its normal stress is.
 /// Returns a remark for each column.
 /// @throws InputError at an empty cell between two different values in a column that repeats the
-///         value in other rows, where it is not known which of them applies
+///         value in other rows, and at a preshear's where another group begins: it is not known
+///         which value applies
 std::vector<Remark> fill_down(Block& table);
 
 }  // namespace pendular

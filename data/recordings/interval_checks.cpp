@@ -50,10 +50,24 @@ double usual_most(std::vector<double> values) {
     return *at;
 }
 
+/// Indices without those of successive rows that are as many as a step has: a load of 999 Pa.
+std::vector<std::size_t> without_steps(const std::vector<std::size_t>& places) {
+    std::vector<std::size_t> result;
+    for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
+        for (end = begin + 1; end < places.size() && places[end] == places[end - 1] + 1;)
+            ++end;
+        if (end - begin < shortest_step)
+            result.insert(result.end(), places.begin() + static_cast<std::ptrdiff_t>(begin),
+                          places.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    return result;
+}
+
 std::vector<std::size_t> far_in(const std::vector<double>& values) {
     constexpr double above_usual = 1.5;  // less changes what is told of a file by little
     if (values.empty()) return {};
-    if (std::vector<std::size_t> marks = marks_of_nines(values); !marks.empty()) return marks;
+    if (std::vector<std::size_t> marks = without_steps(marks_of_nines(values)); !marks.empty())
+        return marks;
     const double least = above_usual * usual_most(values);
     if (std::ranges::none_of(values, [&](double value) { return std::abs(value) > least; }))
         return {};
@@ -83,16 +97,6 @@ void add_far_values(const Block& block, std::size_t index, std::vector<Remark>& 
     for (const std::size_t i : far)
         add_line(remark->lines, block.table.rows[column.rows[i]].line);
     remark->count += far.size();
-}
-
-/// Angle [rad] by which the lid turned; infinite where it is not known.
-double angle_of(const IntervalSeries& series) {
-    if (series.time.size() != series.size() || series.angular_velocity.size() != series.size())
-        return INFINITY;
-    double angle = 0;
-    for (std::size_t i = 1; i < series.size(); ++i)
-        angle += std::abs(series.angular_velocity[i]) * (series.time[i] - series.time[i - 1]);
-    return angle;
 }
 
 /// Number of times that the largest load returns after a lower one; 0 where no two lower loads
@@ -133,7 +137,8 @@ std::vector<Remark> cycles_in_one_interval(const BlockFile& file,
     std::vector<Remark> found;
     for (const IntervalSeries& each : series) {
         const std::vector<Step> steps = steps_of(each);
-        if (steps.size() < 4 || !(angle_of(each) < long_turn * static_cast<double>(steps.size())))
+        const auto angle = angle_turned(each);
+        if (steps.size() < 4 || !angle || *angle >= long_turn * static_cast<double>(steps.size()))
             continue;
         std::vector<double> loads;
         for (const auto& [begin, end] : steps)

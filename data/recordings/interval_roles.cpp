@@ -51,19 +51,6 @@ bool any_known(const std::vector<double>& values) {
     return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
 }
 
-/// Angle by which the lid turned during an interval [rad]; empty without time and speed.
-std::optional<double> angle_turned(const IntervalSeries& series) {
-    if (series.time.empty() || series.angular_velocity.empty() || series.size() < 2)
-        return std::nullopt;
-    double angle = 0;
-    for (std::size_t i = 1; i < series.size(); ++i) {
-        const double part = std::abs(series.angular_velocity[i]) *
-                            std::max(series.time[i] - series.time[i - 1], 0.0);
-        if (std::isfinite(part)) angle += part;
-    }
-    return angle;
-}
-
 /// Whether the lid turned during an interval; empty if no speed was recorded. Small torques do not
 /// make a rest: at low normal stress, most of the torque may be a drag.
 std::optional<bool> lid_turned(const IntervalSeries& series) {
@@ -125,11 +112,6 @@ bool back_and_forth(const IntervalSeries& series, const std::vector<Step>& steps
     return reversals > 0;
 }
 
-/// Whether the lid turned in an interval, for all that its speeds say.
-bool turned_at_all(const IntervalSeries& series) {
-    return lid_turned(series).value_or(true);
-}
-
 /// Whether a shear stress or torque never rises above that of its first rows, as one that relaxes.
 /// Shear to failure begins with less than its peak.
 bool never_rises(const std::vector<double>& shear) {
@@ -170,7 +152,7 @@ std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
             loading.ramp = speed_ramp(each.angular_velocity);
             loading.back_and_forth = back_and_forth(each, steps);
         }
-        loading.relaxes = !turned_at_all(each) && never_rises(each.shear());
+        loading.relaxes = !lid_turned(each).value_or(true) && never_rises(each.shear());
         loading.load_ramp = load_ramp(each);
         loading.unsteady = stress_growth(each);
         if (!loading.unsteady) loading.unsteady = stick_slip(each);
@@ -263,6 +245,18 @@ IntervalRole role_of_resting(const BlockFile& file, const std::vector<Loading>& 
 }
 
 }  // namespace
+
+std::optional<double> angle_turned(const IntervalSeries& series) {
+    if (series.time.empty() || series.angular_velocity.empty() || series.size() < 2)
+        return std::nullopt;
+    double angle = 0;
+    for (std::size_t i = 1; i < series.size(); ++i) {
+        const double part = std::abs(series.angular_velocity[i]) *
+                            std::max(series.time[i] - series.time[i - 1], 0.0);
+        if (std::isfinite(part)) angle += part;
+    }
+    return angle;
+}
 
 double median_of_known(const std::vector<double>& values) {
     std::vector<double> known;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,10 @@ struct IntervalRole {
 /// @param series in the order of the file's blocks
 std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<IntervalSeries>& series,
                                    const FileFormat& format);
+
+/// Returns the angle by which the lid turned during an interval [rad]; empty without time and
+/// speed.
+std::optional<double> angle_turned(const IntervalSeries& series);
 
 /// Returns the median of the finite values, in their unit; NaN if there are none.
 double median_of_known(const std::vector<double>& values);

@@ -71,12 +71,16 @@ bool says_no(std::string_view label) {
     return is_one_of(label, words);
 }
 
-/// Whether rows are preshears by "yes" and "no", or 1 and 0, in a column that a preshear names.
+/// Whether rows are preshears by "yes" and "no", or their number and 0, in a column that a preshear
+/// names.
 std::vector<bool> answers(const std::vector<std::string>& cells) {
+    constexpr double most = 99;  // a larger number is a stress
     std::vector<bool> marked;
     for (const std::string& cell : cells) {
         const std::string word = folded_name(cell);
-        const bool yes = says_yes(word) || word == "1";
+        const double number = parse_number(cell).value_or(0);
+        const bool counted = number > 0 && number <= most && number == std::floor(number);
+        const bool yes = says_yes(word) || counted;
         if (!yes && !says_no(word) && word != "0") return {};
         marked.push_back(yes);
     }
@@ -122,6 +126,27 @@ std::vector<std::string> given_to(const std::vector<bool>& marked, const char* r
 
 double first_or_none(const std::vector<double>& column) {
     return column.empty() ? std::nan("") : column.front();
+}
+
+double stress_ratio(const IntervalSeries& point) {
+    return std::abs(first_or_none(point.shear_stress)) / first_or_none(point.normal_stress);
+}
+
+/// Sign of most shear stresses: -1 where a tester turns the other way.
+double most_usual_sign(const std::vector<IntervalSeries>& points) {
+    const auto negative = std::ranges::count_if(
+        points, [](const IntervalSeries& each) { return first_or_none(each.shear_stress) < 0; });
+    return 2 * negative > std::ssize(points) ? -1 : 1;
+}
+
+/// Whether the stress ratio of a point is one that the others may have too, so that a stress of
+/// nines is a value: within a factor of 3 of theirs, as in `marks_of_nines`.
+bool fits_others(const IntervalSeries& point, const std::vector<double>& others) {
+    constexpr double far = 3;
+    const double ratio = stress_ratio(point);
+    if (others.empty() || !(ratio > 0)) return false;
+    const auto [least, greatest] = std::ranges::minmax(others);
+    return ratio > least / far && ratio < greatest * far;
 }
 
 /// Numbers in a column of a quantity, one for each row of a table of points, in the unit of the
@@ -177,18 +202,19 @@ std::vector<std::string> roles_in_column(std::string_view name,
 
 std::vector<bool> impossible_points(const BlockFile& file,
                                     const std::vector<IntervalSeries>& series) {
-    std::vector<bool> other(series.size(), false);
-    if (!file.table_of_points) return other;
-    const auto negative = std::ranges::count_if(
-        series, [](const IntervalSeries& each) { return first_or_none(each.shear_stress) < 0; });
-    const double sense = 2 * negative > std::ssize(series) ? -1 : 1;
-    for (std::size_t i = 0; i < series.size(); ++i)
-        other[i] = first_or_none(series[i].normal_stress) < 0 ||
-                   sense * first_or_none(series[i].shear_stress) < 0;
+    std::vector<bool> of_nines(series.size(), false);
+    if (!file.table_of_points) return of_nines;
     for (const char* const quantity : {"normal_stress", "shear_stress"})
         for (const std::size_t i : marks_of_nines(numbers_of(file, quantity)))
-            other[i] = true;
-    return other;
+            of_nines[i] = true;
+    std::vector<double> ratios;  // of the other points
+    for (std::size_t i = 0; i < series.size(); ++i)
+        if (!of_nines[i] && stress_ratio(series[i]) > 0) ratios.push_back(stress_ratio(series[i]));
+    const double sense = most_usual_sign(series);
+    for (std::size_t i = 0; i < series.size(); ++i)
+        of_nines[i] = of_nines[i] && (sense * first_or_none(series[i].shear_stress) < 0 ||
+                                      !fits_others(series[i], ratios));
+    return of_nines;
 }
 
 }  // namespace pendular

@@ -27,9 +27,9 @@ std::vector<std::string> roles_in_column(std::string_view name,
                                          const std::vector<double>& loads);
 
 /// Whether each row of a table of points has a stress that stands for a missing value rather than
-/// for a test: a negative normal stress, a shear stress of another sign than most rows, or a number
-/// of nines alone far above all others (`marks_of_nines`). All false for a file that is no table of
-/// points.
+/// for a test: one of nines alone far off all others (`marks_of_nines`), whose stress ratio is not
+/// that of the other rows. Points of tension, and of shear in the other sense, are points. All
+/// false for a file that is no table of points.
 std::vector<bool> impossible_points(const BlockFile& file,
                                     const std::vector<IntervalSeries>& series);
 

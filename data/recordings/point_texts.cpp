@@ -98,7 +98,6 @@ bool numbers_pairs(const std::vector<std::string>& texts, const std::vector<doub
 /// number of each filling or load has not.
 bool tells_tests_apart(const std::vector<std::string>& texts, const std::vector<double>& loads,
                        const std::vector<std::string>& roles) {
-    constexpr double other_load = 0.05;  // relative: loads that are set differ by more
     if (numbers_pairs(texts, loads)) return false;
     std::map<std::string, std::pair<double, double>> range;
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -107,7 +106,7 @@ bool tells_tests_apart(const std::vector<std::string>& texts, const std::vector<
         least = std::min(least, loads[i]), most = std::max(most, loads[i]);
     }
     return range.size() > 1 && std::ranges::all_of(range, [](const auto& each) {
-               return each.second.second - each.second.first > other_load * each.second.second;
+               return is_lower_load(each.second.first, each.second.second);
            });
 }
 

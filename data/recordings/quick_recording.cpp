@@ -11,6 +11,7 @@
 
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
+#include "data/files/header_names.h"
 #include "data/files/file_access.h"
 #include "data/files/formats/cut_row.h"
 #include "data/files/formats/layouts.h"

@@ -270,6 +270,7 @@ FailurePoint failure_point(const Block& block, const IntervalSeries& series) {
     point.line = series.line[peak];
     point.normal_stress = series.normal_stress[peak];
     point.shear_stress = std::abs(series.shear_stress[peak]);
+    point.liquid_content = block.liquid_content;
     point.at_end = rows > 1 && peak + 1 + rows / 20 >= rows;
     if (!series.height.empty() && std::isfinite(series.height[peak]))
         point.height = series.height[peak];

@@ -22,6 +22,7 @@ struct FailurePoint {
     /// Whether the peak is in the last 5 % of the rows: failure may not have been reached.
     bool at_end = false;
     std::optional<double> height;  ///< gap at the data point [m], if recorded
+    std::optional<double> liquid_content = {};  ///< [1], if a table states it
     /// Mean shear stress of the locus's preshears over that of the point's own [1]; empty if they
     /// are not known or there is one preshear.
     std::optional<double> prorating = {};

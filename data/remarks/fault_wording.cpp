@@ -281,8 +281,7 @@ std::string file_text(const Remark& fault) {
             return far_values_text(fault);
         case Kind::impossible_points:
             return fmt::format(
-                "{} of {} points have a stress of another sign than the others, or one of nines "
-                "alone.",
+                "{} of {} points have a stress of nines alone, which does not go with the others.",
                 fault.count, fault.of);
         case Kind::returning_load:
             return fmt::format(

@@ -97,7 +97,8 @@ std::string impossible_reading_text(const Remark& reading) {
 std::string rows_text(const Remark& rows) {
     switch (rows.kind) {
         case Kind::after_interval:
-            return "after the end of an interval, or no row of the table";
+            return "after the end of an interval, or no row of the table but a title, a mean or "
+                   "the like";
         case Kind::without_point_number:
             return "without a point number";
         case Kind::cut_short:

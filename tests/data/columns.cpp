@@ -1,4 +1,5 @@
 #include "data/files/columns.h"
+#include "data/files/header_names.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

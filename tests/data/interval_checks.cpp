@@ -41,6 +41,14 @@ TEST(FarValues, AreTold) {
     expect_told(texts);
 }
 
+/// A step at 999 is a step.
+TEST(FarValues, AreNoSteps) {
+    std::map<int, std::string> loaded;
+    for (int row = 20; row < 40; ++row)
+        loaded[row] = "999";
+    EXPECT_THAT(told(recording(loaded)), testing::IsEmpty());
+}
+
 /// Preshears at 1 kPa and shear to failure at 0.7, 0.5 and 0.3 kPa, after rests.
 TEST(CyclesInOneInterval, AreTold) {
     std::string text = "Time [s],Normal stress [Pa],Shear stress [Pa],Gap [mm],Speed [rpm]\n";

@@ -58,10 +58,16 @@ TEST(GroupsNamedOnce, AreFilledDown) {
 
 TEST(GroupsNamedOnce, AreNotGuessedWhereRowsRepeatThem) {
     expect_told({input_error([] {
-        points(
-            "Sample,Normal stress [kPa],Shear stress [kPa]\nSand,1,0.71\nSand,2,1.22\n"
-            ",3,1.73\nFlour,1,1.10\nFlour,2,1.42\nFlour,3,1.74\n");
-    })});
+                     points(
+                         "Sample,Normal stress [kPa],Shear stress [kPa]\nSand,1,0.71\nSand,2,1.22\n"
+                         ",3,1.73\nFlour,1,1.10\nFlour,2,1.42\nFlour,3,1.74\n");
+                 }),
+                 input_error([] {
+                     points(
+                         "Material;Vorscherspannung [kPa];Normalspannung [kPa];Scherspannung "
+                         "[kPa]\nQuarz;5;1;0,71\n;;2;1,22\n;;3;1,73\nKaolin;;1;1,1\n;;2;1,42\n"
+                         ";;3;1,74\n");
+                 })});
 }
 
 /// Preshears at 9 kPa before points at 7, 5, 3 and 2 kPa.
@@ -81,7 +87,8 @@ TEST(MarkedPreshears, AreNoPointsOfFailure) {
           std::tuple("Remark", "steady state", "peak"), std::tuple("Preshear?", "yes", "no"),
           std::tuple("preshear", "1", "0"), std::tuple("Vorscheren", "ja", ""),
           std::tuple("Comment", "steady-state flow", "incipient flow"),
-          std::tuple("Point", "pre", "s1"), std::tuple("Phase", "stationär", "Peak")}) {
+          std::tuple("Point", "pre", "s1"), std::tuple("Phase", "stationär", "Peak"),
+          std::tuple("Preshear", "3", "0")}) {
         const FileView view = points(marked(name, preshear, shear));
         EXPECT_THAT(cohesions(view), testing::ElementsAre(testing::DoubleNear(826, 1)))
             << name << " " << preshear;
@@ -150,6 +157,70 @@ TEST(LinesOfStatistics, AreNoPoints) {
     EXPECT_THAT(cohesions(points("Nr;Normalspannung [kPa];Scherspannung [kPa]\n1;1,0;0,71\n"
                                  "2;2,0;1,22\n3;3,0;1,73\nSzórás;1;0,5\n")),
                 testing::ElementsAre(testing::DoubleNear(200, 1e-6)));
+}
+
+// Points on 200 Pa + 0.51 s with labels, and further rows below them.
+std::string labelled(const std::string& below) {
+    return "Sample;Normal stress [kPa];Shear stress [kPa]\nA1;1;0.71\nA2;2;1.22\nA3;3;1.73\n"
+           "A4;4;2.24\n" +
+           below;
+}
+
+TEST(LinesOfStatistics, AreToldInAnyLanguageByTheirNumbers) {
+    for (const char* const below :
+         {"Průměr;2.5;1.475\nSměrodatná odchylka;1.29;0.66\n", "Keskiarvo;2.5;1.48\n",
+          "Mean (n=4);2.5;1.475\nSD (n=4);1.29;0.658\n", "Μέσος;2.500;1.475\n",
+          "x̄;2.5;1.475\ns;1.29;0.658\n", "Rel. std. dev.;0.516;0.446\n", "N;4;4\n"})
+        EXPECT_THAT(cohesions(points(labelled(below))),
+                    testing::ElementsAre(testing::DoubleNear(200, 1e-6)))
+            << below;
+    // The label stands in the last column.
+    EXPECT_THAT(cohesions(points("Normal stress [kPa];Shear stress [kPa];Remark\n1;0.71;\n2;1.22;\n"
+                                 "3;1.73;\n4;2.24;\n2.5;1.475;mean\n1.29;0.66;SD\n")),
+                testing::ElementsAre(testing::DoubleNear(200, 1e-6)));
+}
+
+TEST(LinesOfStatistics, AreNoSamplesWithSuchNames) {
+    const auto rows = [](const std::string& text) {
+        std::size_t all = 0;
+        for (const YieldLocus& locus : points(text).loci)
+            all += locus.points.size();
+        return all;
+    };
+    EXPECT_EQ(rows(labelled("Mean flow;5;2.8\n")), 5);
+    EXPECT_EQ(rows(labelled("Max-1;5;2.8\nMax-2;6;3.3\n")), 6);
+    EXPECT_EQ(rows(labelled("Minette;5;2.8\nSumatra;6;3.3\nMaxit;7;3.8\n")), 7);
+    EXPECT_EQ(rows(labelled("N;5;2.8\n")), 5);
+    EXPECT_EQ(rows(labelled("SD;1;0.6\nSD;2;1.0\nSD;3;1.4\n")), 7) << "a sample of three points";
+}
+
+TEST(LiquidContents, PartTheLociOfATable) {
+    const FileView view = points(
+        "Liquid content [%];Normal stress [kPa];Shear stress [kPa]\n0;1;0.71\n0;2;1.22\n0;3;1.73\n"
+        "5;1;1.11\n5;2;1.62\n5;3;2.13\n");
+    EXPECT_THAT(cohesions(view), testing::Pointwise(testing::DoubleNear(1e-6), {200.0, 600.0}));
+    ASSERT_THAT(view.loci, SizeIs(2));
+    EXPECT_EQ(view.loci[1].points[0].liquid_content, 0.05);
+    // One content for all parts nothing.
+    EXPECT_THAT(points("Liquid content [%];Normal stress [kPa];Shear stress [kPa]\n5;1;1.11\n"
+                       "5;2;1.62\n5;3;2.13\n")
+                    .loci,
+                SizeIs(1));
+}
+
+TEST(NumbersForNoValue, AreValuesWhereTheyGoWithTheOthers) {
+    const auto count = [](const std::string& rows) {
+        const FileView view = points("Normal stress [Pa],Shear stress [Pa]\n" + rows);
+        return view.loci.empty() ? 0 : view.loci[0].points.size();
+    };
+    EXPECT_EQ(count("50,40\n100,80\n200,160\n300,240\n999,799\n"), 5);
+    EXPECT_EQ(count("1000,530\n2000,1060\n3000,1590\n9999,5300\n"), 4);
+    EXPECT_EQ(count("1000,530\n2000,1060\n3000,1590\n9999,9999\n"), 4) << "a ratio of 1";
+    EXPECT_EQ(count("100,53\n200,106\n300,159\n400,9999\n"), 3);
+    EXPECT_EQ(count("100,53\n200,106\n300,159\n-999,-999\n"), 3);
+    // Tension, and shear in the other sense.
+    EXPECT_EQ(count("-100,150\n100,250\n200,300\n"), 3);
+    EXPECT_EQ(count("100,53\n200,106\n300,159\n100,-54\n200,-107\n"), 5);
 }
 
 TEST(NumbersForNoValue, AreNoPoints) {

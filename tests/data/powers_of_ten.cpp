@@ -115,4 +115,9 @@ TEST(Units, RefuseMegaForMilliInForces) {
     EXPECT_EQ(Unit("MPa").to_si(1), 1e6);
 }
 
+TEST(Units, KnowGermanHours) {
+    for (const char* const hours : {"Std", "Std.", "Stunden"})
+        EXPECT_EQ(Unit(hours).to_si(1), 3600) << hours;
+}
+
 }  // namespace pendular::data_powers_of_ten_test

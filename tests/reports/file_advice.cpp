@@ -1,6 +1,6 @@
 // What `import FILE` advises where a file lacks something: lines that can be followed, and only
 // what is true of the file at hand.
-#include "reports/file_report.h"
+#include "reports/file_advice.h"
 
 #include <fmt/format.h>
 

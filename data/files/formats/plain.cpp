@@ -4,6 +4,7 @@
 
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
+#include "data/files/header_names.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/unit_cells.h"
 #include "data/files/header_cell.h"

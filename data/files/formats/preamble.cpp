@@ -1,7 +1,6 @@
 #include "data/files/formats/preamble.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <iterator>
 #include <optional>
@@ -9,8 +8,8 @@
 #include <string_view>
 
 #include "data/files/column_names.h"
-#include "data/files/folded_name.h"
 #include "data/files/formats/stacked_rows.h"
+#include "data/files/formats/statistics_below.h"
 #include "data/files/header_cell.h"
 #include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
@@ -159,26 +158,6 @@ std::size_t first_filled_cell(const Row& row) {
     return static_cast<std::size_t>(first - row.cells.begin());
 }
 
-/// Whether a word is one of those for a mean, a scatter or the like of the column below which it
-/// stands.
-bool names_statistic(std::string_view word) {
-    constexpr std::array<std::string_view, 31> begins = {
-        // as folded_name has them
-        "mean",   "mittel", "average",  "durchschnitt", "std",      "standard", "stabw",  "min",
-        "max",    "median", "moyenne",  "ecart",        "media",    "promedio", "desv",   "dev",
-        "sum",    "total",  "gemiddel", "srednia",      "medel",    "varian",   "gesamt", "somm",
-        "anzahl", "count",  "odch",     "平均",         "標準偏差", "标准差",   "средн"};
-    constexpr std::array<std::string_view, 8> words = {"n",  "sd",  "se",  "sem",
-                                                       "cv", "rsd", "avg", "var"};
-    std::string folded = folded_name(word);
-    while (!folded.empty() &&
-           std::string_view(":=()%").find(folded.back()) != std::string_view::npos)
-        folded.pop_back();
-    return std::ranges::find(words, folded) != words.end() ||
-           std::ranges::any_of(begins,
-                               [&](std::string_view each) { return folded.starts_with(each); });
-}
-
 /// Whether a column counts the rows of a table, as 1, 2, 3: no word there is a value that could not
 /// be measured.
 bool counts_rows(const SourceLines& source, std::size_t begin, std::size_t column, char delimiter) {
@@ -261,26 +240,21 @@ LinesOfWords lines_of_words(const SourceLines& source, std::size_t begin, std::s
     return found;
 }
 
-/// Leaves out lines below a table whose rows begin with words, if they begin with that of a
-/// statistic: "Mean" below "P1", "P2" and "P3".
+/// Leaves out lines of statistics below the rows of a table. Recordings are longer than that.
 void take_statistics_below(SourceLines& source, std::size_t first, char delimiter,
                            BlockFile& file) {
-    constexpr std::size_t fewest_rows = 3;
-    std::vector<std::size_t> filled;
-    for (std::size_t i = first; i < source.lines.size(); ++i)
-        if (first_filled_line(source, i) == i && !source.lines[i].starts_with('#'))
-            filled.push_back(i);
-    const auto is_statistic = [&](std::size_t line) {
-        const Row row = source.row(line, delimiter);
-        return begins_with_word(row) && names_statistic(row.cells[first_filled_cell(row)].text);
-    };
-    std::size_t rows = filled.size();
-    while (rows > 0 && is_statistic(filled[rows - 1]))
-        --rows;
-    if (rows < fewest_rows) return;
-    for (std::size_t k = rows; k < filled.size(); ++k) {
-        source.lines[filled[k]] = {};
-        skip_line(file, static_cast<int>(filled[k]) + 1, Remark::Kind::after_interval);
+    constexpr std::size_t most_rows = 1000;
+    if (source.lines.size() > first + most_rows) return;
+    std::vector<std::size_t> places;
+    std::vector<Row> rows;
+    for (std::size_t i = first; i < source.lines.size(); ++i) {
+        if (first_filled_line(source, i) != i || source.lines[i].starts_with('#')) continue;
+        places.push_back(i);
+        rows.push_back(source.row(i, delimiter));
+    }
+    for (std::size_t k = rows_above_statistics(rows); k < places.size(); ++k) {
+        source.lines[places[k]] = {};
+        skip_line(file, static_cast<int>(places[k]) + 1, Remark::Kind::after_interval);
     }
 }
 
@@ -291,8 +265,9 @@ void take_lines_of_words(SourceLines& source, std::size_t first, char delimiter,
     // A table of more titles than that is none of numbers with a few words among them.
     constexpr std::size_t most_below = 20, fewest_rows = 3, rows_of_a_title = 4;
     const Row row = source.row(first, delimiter);
+    take_statistics_below(source, first, delimiter, file);
     // Where the first row begins with a word, others may do so too.
-    if (begins_with_word(row)) return take_statistics_below(source, first, delimiter, file);
+    if (begins_with_word(row)) return;
     LinesOfWords words = lines_of_words(source, first, first_filled_cell(row), delimiter);
     if (words.other_table || words.rows < fewest_rows || words.below.size() > most_below ||
         rows_of_a_title * words.among.size() > words.rows)

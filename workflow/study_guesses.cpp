@@ -1,0 +1,94 @@
+#include "workflow/study_guesses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+#include "data/files/folded_name.h"
+#include "data/files/sheet_path.h"
+#include "data/files/text_pattern.h"
+#include "data/quantities/number.h"
+#include "workflow/file_views.h"
+
+namespace pendular {
+
+std::string texts_of(const FileView& view) {
+    std::string text;
+    for (const Block& block : view.file.blocks)
+        if (text.empty()) text = block.test;
+    for (const std::string key : {"Sample name", "Name"})
+        text += " | " + view.file.fact(key);
+    text += " | " + file_to_open(view.file.file).stem().string();
+    if (const auto sheet = as_sheet(view.file.file)) text += " | " + sheet->sheet;
+    for (const std::string key : {"Project", "Projet", "Projekt"})
+        text += " | " + view.file.fact(key);
+    return text;
+}
+
+Guess guessed_diameter(const std::string& texts) {
+    static const TextPattern length(R"((\d+(?:[.,]\d+)?)\s*(mm|um|µm|μm)(?![A-Za-z]))");
+    const auto found = length.first(texts);
+    if (!found) return {"500 um", "GUESS: the file does not state the diameter"};
+    std::string number = found->parts[1];
+    std::ranges::replace(number, ',', '.');
+    return {fmt::format("{} {}", number, found->parts[2]),
+            fmt::format("GUESS: from \"{}\" in the names of file and test", found->parts[0])};
+}
+
+std::optional<double> stated_percent(const std::string& texts) {
+    static const TextPattern percent(R"((\d+(?:[.,p]\d+)?)\s*(?:%|pct))");
+    static const TextPattern water(R"(_w(\d+)_)");
+    auto found = percent.first(texts);
+    if (!found) found = water.first(texts);
+    if (!found) return std::nullopt;
+    std::string number = found->parts[1];
+    std::ranges::replace(number, ',', '.');
+    std::ranges::replace(number, 'p', '.');
+    return parse_number(number);
+}
+
+namespace {
+
+/// Whether a word in small letters says that grains are wet, in one of the five languages, Polish,
+/// Czech, Dutch, Swedish, Danish, Portuguese, Turkish, Hungarian or Finnish. Words for
+/// humidity are left out, which may be that of the air.
+bool says_wet(std::string_view word) {
+    constexpr std::array begins = {"wet",     "moist",   "nass",    "naß",    "feucht", "wasser",
+                                   "mouillé", "mouille", "mojad",   "bagnat", "mokr",   "wilgotn",
+                                   "vlhk",    "våt",     "våd",     "molhad", "ıslak",  "islak",
+                                   "nedves",  "märk",    "vochtig", "fugtig", "fuktig"};
+    constexpr std::array whole = {
+        "water",  "eau",   "agua",   "acqua", "humide", "humides", "húmedo", "húmeda", "humedo",
+        "humeda", "umido", "umida",  "umidi", "umide",  "oil",     "öl",     "oel",    "natte",
+        "woda",   "voda",  "vatten", "vand",  "víz",    "vizes",   "vesi",   "água"};
+    return std::ranges::any_of(begins,
+                               [&](std::string_view each) { return word.starts_with(each); }) ||
+           std::ranges::find(whole, word) != whole.end();
+}
+
+bool named_wet(const std::string& texts) {
+    static const TextPattern water(R"(_w\d)");  // "glass_w10"
+    if (water.first(texts)) return true;
+    std::string word;
+    for (const char c : lower_case(texts) + " ") {
+        // Bytes beyond ASCII are parts of letters.
+        if (std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) > 0x7f) {
+            word += c;
+            continue;
+        }
+        if (says_wet(word)) return true;
+        word.clear();
+    }
+    return false;
+}
+
+}  // namespace
+
+double guessed_mass_ratio(const std::string& texts) {
+    return named_wet(texts) ? stated_percent(texts).value_or(1) / 100 : 0;
+}
+
+}  // namespace pendular

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "data/recordings/file_view.h"
+
+namespace pendular {
+
+/// A value for study.toml with a comment on its origin.
+struct Guess {
+    std::string value, from;
+};
+
+/// Densities [kg/m^3] with which a mass of liquid over that of grains becomes a liquid content; the
+/// study marks the result as a guess.
+constexpr double glass_density = 2500, water_density = 1000;
+
+/// Texts of a file that may say what was measured, the most specific first: names of tests and
+/// samples, the file's name, the project's name.
+std::string texts_of(const FileView& view);
+
+Guess guessed_diameter(const std::string& texts);
+
+/// Mass of liquid over mass of grains that the names of file and test state, in per cent.
+std::optional<double> stated_percent(const std::string& texts);
+
+/// Mass of liquid over mass of grains [1] that the names of file and test suggest; 0 for dry
+/// grains.
+double guessed_mass_ratio(const std::string& texts);
+
+}  // namespace pendular
