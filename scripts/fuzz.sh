@@ -71,7 +71,7 @@ one() {
   PENDULAR_ATLAS=sim/atlas/atlas.csv ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 \
     bash -c 'TIMEFORMAT="processor seconds: %U"; time "$@"' run \
     "build/fuzz/tests/fuzz/fuzz_$target" -max_total_time="$2" -runs="$3" -timeout=10 -rss_limit_mb=2048 \
-    -max_len="$longest" -entropic=0 -print_funcs=0 -print_final_stats=1 -artifact_prefix="build/fuzz/artifacts/$target/" "${options[@]}" \
+    -max_len="$longest" -entropic=0 -detect_leaks=0 -print_funcs=0 -print_final_stats=1 -artifact_prefix="build/fuzz/artifacts/$target/" "${options[@]}" \
     "$new" "$kept" >"$log" 2>&1 || code=$?
   if [ "$code" -eq 70 ] && ! really_hangs "$target"; then code=0; fi
   if [ "$code" -eq 72 ]; then code=0; fi  # ended by Ctrl-C

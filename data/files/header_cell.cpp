@@ -7,6 +7,7 @@
 #include <cctype>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "data/files/column_names.h"
@@ -197,8 +198,13 @@ Halves name_and_unit(std::string_view text) {
 /// "Gap mm", "omega_rad_s", "speed_rad_per_s". It counts only where it is one of the named
 /// quantity.
 std::string take_unit(std::string_view& name) {
+    if (find_quantity(name)) return "";
     std::string_view unmarked = name;
-    if (find_quantity(name) || take_mark(unmarked) != ErrorMark::none) return "";
+    if (take_mark(unmarked) != ErrorMark::none) {
+        if (!name.ends_with("Std") || !is_quantity(unmarked, "Std")) return "";
+        name = unmarked;
+        return "Std";  // German for hours; that of a torque is its standard deviation
+    }
     for (std::size_t at = name.find_first_of("_ ", 1); at != std::string_view::npos;
          at = name.find_first_of("_ ", at + 1)) {
         const std::string_view begin = trimmed(name.substr(0, at)), end = name.substr(at + 1);
@@ -257,7 +263,10 @@ ErrorMark bare_mark(const HeaderCell& cell) {
     return code_of_fault ? ErrorMark::none : found->mark;
 }
 
-HeaderCell parse_header_cell(std::string_view written) {
+namespace {
+
+/// Parts of a cell that is not known yet.
+HeaderCell taken_apart(std::string_view written) {
     const std::string plain = with_plain_brackets(trimmed(written));
     std::string_view text = plain;
     if (text.ends_with("]:") || text.ends_with("):")) text.remove_suffix(1);
@@ -285,6 +294,19 @@ HeaderCell parse_header_cell(std::string_view written) {
     cell.mark = take_mark(name);
     cell.name = trimmed(name);
     return cell;
+}
+
+}  // namespace
+
+HeaderCell parse_header_cell(std::string_view written) {
+    // One layout after the other asks for the names in a file, of which each takes microseconds.
+    constexpr std::size_t most_known = 1000, longest = 200;
+    if (written.size() > longest) return taken_apart(written);
+    thread_local std::unordered_map<std::string, HeaderCell> known;
+    const std::string text(written);
+    if (const auto found = known.find(text); found != known.end()) return found->second;
+    if (known.size() == most_known) known.clear();
+    return known.try_emplace(text, taken_apart(text)).first->second;
 }
 
 }  // namespace pendular

@@ -30,6 +30,8 @@ constexpr std::pair<std::string_view, std::string_view> characters[] = {
     {"½", "0.5"},
     {"\u00a0", " "},
     {"\u202f", " "},
+    {" ^ ", "^"},
+    {"0,1 ", "0.1 "},  // "0,1 MPa" was once written for a bar
     // Abbreviations whose points would be products; in French, "mn" is a minute.
     {"r.p.m.", "rpm"},
     {"Umdr.", "turn"},
@@ -45,6 +47,9 @@ constexpr std::pair<std::string_view, std::string_view> characters[] = {
     {"об", "turn"},
     {"мин", "min"},
     {"хв", "min"},
+    {"mm WS", "(9.80665 Pa)"},
+    {"mmWS", "(9.80665 Pa)"},
+    {"mm H2O", "(9.80665 Pa)"},
     {"otáčky", "turn"},
     {"otáček", "turn"},
     {"回転", "turn"},
@@ -87,7 +92,7 @@ const std::map<std::string, std::string, std::less<>> words = {
     {"IN", "in"},          {"FT", "ft"},
     {"inlbf", "in.lbf"},   {"lbfin", "lbf.in"},
     {"ftlbf", "ft.lbf"},   {"lbfft", "lbf.ft"},
-    {"Grad", "arc_degree"}};  // not a gigaradian
+    {"tf", "(1000.kgf)"},  {"Grad", "arc_degree"}};  // not a gigaradian
 
 /// Words for a revolution in Polish, Czech, Dutch, Swedish, Danish, Norwegian, Portuguese,
 /// Romanian, Turkish, Hungarian and Finnish, of which none is another unit, and for a minute.
@@ -170,6 +175,11 @@ bool is_letter(char c) {
 std::string with_plain_exponents(std::string_view text) {
     std::string result;
     bool within = false;
+    const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+    if (std::ranges::all_of(text, is_ascii)) {  // as most units, of which many are read
+        result = text;
+        text = {};
+    }
     while (!text.empty()) {
         const auto raised = std::ranges::find_if(
             superscripts, [&](const auto& each) { return text.starts_with(each.first); });

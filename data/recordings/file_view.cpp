@@ -183,16 +183,17 @@ std::vector<std::optional<double>> contents_of(const Table& table, const Columns
 /// one test.
 void append_points(const Block& whole, BlockFile& file) {
     const Columns columns(whole.table);
-    const PointTexts texts = texts_of_points(whole);
+    const PointTexts texts = texts_of_points(whole, file.titles);
     const std::vector<std::optional<double>> contents = contents_of(whole.table, columns);
-    const bool contents_differ = std::ranges::adjacent_find(contents, std::not_equal_to{}) !=
-                                 contents.end();
+    const bool contents_differ =
+        std::ranges::adjacent_find(contents, std::not_equal_to{}) != contents.end();
     for (std::size_t i = 0; i < whole.table.rows.size(); ++i) {
         const Row& row = whole.table.rows[i];
         count_interval(file, row.line, whole.columns.size());
         Block& block = file.blocks.emplace_back();
         block.test = whole.test;
-        if (!texts.tests.empty()) add_to_name(block.test, texts.tests[i]);
+        if (!texts.tests.empty() && !texts.tests[i].empty())
+            add_to_name(block.test, texts.tests[i]);
         block.liquid_content = contents[i];
         if (contents_differ && contents[i])
             add_to_name(block.test, fmt::format("liquid content {:.4g}", *contents[i]));

@@ -37,7 +37,9 @@ struct Loading {
     std::optional<std::string> load_ramp;  ///< as text, if the normal stress changed throughout
     std::optional<std::string> unsteady;   ///< as text, for stress growth or stick-slip
     std::size_t steps = 1;                 ///< of constant speed and load
-    const char* shear_word = "";           ///< name of the quantity that shows the shear
+    std::size_t rows = 0;
+    bool has_time = false;
+    const char* shear_word = "";  ///< name of the quantity that shows the shear
 };
 
 double largest_known(const std::vector<double>& values) {
@@ -90,7 +92,7 @@ bool turns_at_constant_speed(const IntervalSeries& series, const std::vector<Ste
     return steps.size() > 1 && std::ranges::any_of(steps, [&](const Step& step) {
                const auto all = speeds.subspan(step.begin, step.end - step.begin);
                const auto at_speed = all.subspan(begin_at_speed(all));
-               return at_speed.size() >= shortest_step && !speed_ramp(all) && turns(at_speed);
+               return at_speed.size() >= shortest_step && !varying_speed(all) && turns(at_speed);
            });
 }
 
@@ -149,7 +151,7 @@ std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
         loading.angle = angle_turned(each);
         const std::vector<Step> steps = steps_of(each);
         if (!turns_at_constant_speed(each, steps)) {
-            loading.ramp = speed_ramp(each.angular_velocity);
+            loading.ramp = varying_speed(each.angular_velocity);
             loading.back_and_forth = back_and_forth(each, steps);
         }
         loading.relaxes = !lid_turned(each).value_or(true) && never_rises(each.shear());
@@ -157,6 +159,8 @@ std::vector<Loading> loadings(const std::vector<IntervalSeries>& series) {
         loading.unsteady = stress_growth(each);
         if (!loading.unsteady) loading.unsteady = stick_slip(each);
         loading.steps = steps.size();
+        loading.rows = each.size();
+        loading.has_time = any_known(each.time);
         loading.shear_word = shear_word(each);
         result.push_back(loading);
     }
@@ -192,11 +196,25 @@ std::optional<std::size_t> next_level(const BlockFile& file, const std::vector<L
     return next;
 }
 
+// Turns of the lid [rad], chosen: 1 is a strain of 1 at a height equal to the mean radius, as
+// `ImportSettings::least_strain` asks by default.
+constexpr double long_turn = 1, short_turn = 0.3;
+
+IntervalRole steady_shear(const Loading& own) {
+    const std::string steps =
+        own.steps > 1 ? fmt::format(" in {} steps of constant speed and load", own.steps) : "";
+    const std::string few =
+        own.has_time && own.rows < shortest_step
+            ? fmt::format("; too few rows for a study, which needs {}", shortest_step)
+            : "";
+    if (own.angle && *own.angle > long_turn)
+        return {"steady", fmt::format("the lid turned by {:.2g} rad{}{}", *own.angle, steps, few)};
+    return {"steady", "sheared" + (steps.empty() ? " at constant set points" : steps) + few};
+}
+
 IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& loading,
                              std::size_t i) {
-    // Stresses of two steps differ by 5 % (steps.cpp). Turns [rad] are chosen: 1 is a strain of 1
-    // at a height equal to the mean radius, as `ImportSettings::least_strain` asks by default.
-    constexpr double higher = 1.05, long_turn = 1, short_turn = 0.3;
+    constexpr double higher = 1.05;  // as stresses of two steps differ (steps.cpp)
     const Loading& own = loading[i];
     if (own.back_and_forth)
         return {"other", "the lid turns back and forth, as in oscillation: no steady shear"};
@@ -205,16 +223,14 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
                                      "relaxation, no failure",
                                      own.shear_word)};
     if (own.ramp)
-        return {"other", fmt::format("the speed of the lid changes {}: no steady shear",
-                                     own.ramp->change())};
+        return {"other", fmt::format("the speed of the lid changes {}, and none lasts {} rows: no "
+                                     "steady shear",
+                                     own.ramp->change(), shortest_step)};
+
     if (!own.pressed) return {"steady", "sheared, but not under a normal stress as grains are"};
     if (own.angle && *own.angle > long_turn && own.load_ramp) return {"other", *own.load_ramp};
     if (own.angle && *own.angle > long_turn && own.unsteady) return {"other", *own.unsteady};
-    const std::string steps =
-        own.steps > 1 ? fmt::format("{} steps of constant speed and load", own.steps) : "";
-    if (own.angle && *own.angle > long_turn)
-        return {"steady", fmt::format("the lid turned by {:.2g} rad{}{}", *own.angle,
-                                      steps.empty() ? "" : " in ", steps)};
+    if (own.angle && *own.angle > long_turn) return steady_shear(own);
     const auto before = sheared_neighbour(file, loading, i, -1);
     const auto after = next_level(file, loading, i);
     if (only_every_fourth(file.blocks))
@@ -233,7 +249,7 @@ IntervalRole role_of_sheared(const BlockFile& file, const std::vector<Loading>& 
     if (own.load_ramp) return {"other", *own.load_ramp};
     if (own.unsteady) return {"other", *own.unsteady};
     if (!own.has_speed) return {"steady", "sheared; the speed of the lid is not known"};
-    return {"steady", "sheared" + (steps.empty() ? " at constant set points" : " in " + steps)};
+    return steady_shear(own);
 }
 
 IntervalRole role_of_resting(const BlockFile& file, const std::vector<Loading>& loading,

@@ -28,7 +28,7 @@ struct IntervalRole {
 /// is the first that applies:
 /// - "other" if the lid turns back and forth (`turns_back_and_forth`)
 /// - "other" if the lid rests and the shear never rises, as in relaxation
-/// - "other" if the speed of the lid changes throughout (`speed_ramp`), unless it is constant in
+/// - "other" if the speed of the lid changes throughout (`varying_speed`), unless it is constant in
 ///   one of several steps
 /// - "steady" if the normal stress is not positive, or the shear stress reaches three times it
 /// - "other" if the lid turns by more than 1 rad and the load changes throughout (`load_ramp`)

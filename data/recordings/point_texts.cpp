@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
@@ -110,9 +112,21 @@ bool tells_tests_apart(const std::vector<std::string>& texts, const std::vector<
            });
 }
 
+/// Title above each row; empty where no titles part the rows.
+std::vector<std::string> titles_above(const Table& table, std::vector<Title> titles) {
+    std::ranges::sort(titles, {}, &Title::line);
+    std::vector<std::string> texts;
+    for (const Row& row : table.rows) {
+        const auto next = std::ranges::upper_bound(titles, row.line, {}, &Title::line);
+        texts.push_back(next == titles.begin() ? "" : std::prev(next)->text);
+    }
+    const bool parted = std::ranges::adjacent_find(texts, std::not_equal_to{}) != texts.end();
+    return parted ? texts : std::vector<std::string>();
+}
+
 }  // namespace
 
-PointTexts texts_of_points(const Block& block) {
+PointTexts texts_of_points(const Block& block, const std::vector<Title>& titles) {
     PointTexts found;
     const std::vector<double> loads = loads_of(block);
     std::vector<std::pair<std::string, std::vector<std::string>>> others;
@@ -132,6 +146,10 @@ PointTexts texts_of_points(const Block& block) {
             ((names_tests(name) && tells_tests_apart(texts, loads, found.roles)) ||
              (!any_number(texts) && stands_in_groups(texts))))
             found.tests = texts;
+    if (!found.tests.empty()) return found;
+    std::vector<std::string> above = titles_above(block.table, titles);
+    if (!above.empty() && tells_tests_apart(above, loads, found.roles))
+        found.tests = std::move(above);
     return found;
 }
 

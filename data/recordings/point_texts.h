@@ -10,8 +10,8 @@ namespace pendular {
 
 /// Tests and roles of the rows of a table of points, as its columns of texts state them.
 struct PointTexts {
-    /// Test of each row, from a column that names materials, samples or the like; empty: none. The
-    /// points of a test make a yield locus of their own.
+    /// Test of each row, from a column that names materials, samples or the like, or from titles
+    /// between the rows; empty: none. The points of a test make a yield locus of their own.
     std::vector<std::string> tests;
     /// Role of each row that is no point of failure, as `roles_in_column`; empty: no column states
     /// any.
@@ -24,6 +24,7 @@ bool names_tests(std::string_view name);
 /// Returns what the texts of a table of points say. A column tells tests apart if its name is one
 /// of those that people give to materials and samples, and each of its texts or numbers stands at
 /// two loads at least, preshears aside, or if each of its texts stands in three rows in succession.
-PointTexts texts_of_points(const Block& table);
+/// Without such a column, titles between the rows do if below each stand two loads at least.
+PointTexts texts_of_points(const Block& table, const std::vector<Title>& titles);
 
 }  // namespace pendular

@@ -166,7 +166,7 @@ std::optional<Remark> too_little_strain(const RecordedStep& step, const StepSeri
 /// too few rows have one speed.
 std::optional<SpeedRamp> changing_speed(const RecordedStep& step) {
     const std::span<const double> speeds = step.series.angular_velocity;
-    if (const auto ramp = speed_ramp(speeds)) return ramp;
+    if (const auto change = varying_speed(speeds)) return change;
     if (speeds.size() - step.at_speed >= shortest_step) return std::nullopt;
     return extreme_speeds(speeds);
 }
@@ -265,10 +265,12 @@ void reduce_step(const RecordedStep& step, const Setting& setting, std::vector<i
         doubt_fraction(result.readings.back(), creep_of(step.series)->change, steady, setting);
 }
 
-/// Remarks on rows with spikes in torque, normal force, gap or speed.
+/// Remarks on rows with spikes in torque, normal force, gap or speed. Before the steady part, a
+/// fast rise may look like one, and nothing is averaged.
 std::vector<Remark> spikes_of(const RecordedStep& step, const std::string& file) {
     std::vector<Remark> found;
     for (const std::size_t k : step.spikes) {
+        if (k < step.steady.value_or(0)) continue;
         const int line = step.series.line[k];
         found.push_back({.kind = Kind::spike, .files = {file}, .lines = {{line, line}}});
     }
@@ -298,8 +300,9 @@ Measurements reduce_steps(const std::vector<RecordedStep>& steps, const Recordin
     Measurements result;
     std::vector<int> flipped, interpolated, coarse, spiked;
     for (const RecordedStep& step : steps) {
-        if (!step.spikes.empty()) spiked.push_back(step.number);
-        append(result.remarks, spikes_of(step, recording.file));
+        const std::vector<Remark> spikes = spikes_of(step, recording.file);
+        if (!spikes.empty()) spiked.push_back(step.number);
+        append(result.remarks, spikes);
         if (step.series.flipped) flipped.push_back(step.number);
         if (step.series.interpolated) interpolated.push_back(step.number);
         setting.time_shift =

@@ -98,7 +98,10 @@ bool significant(const std::vector<double>& magnitudes, std::span<const double> 
 void check_torque_sign(StepSeries& series, const Recording& recording, const Step& step) {
     const std::size_t begin = begin_at_speed(series.angular_velocity);
     if (!turns(std::span(series.angular_velocity).subspan(begin))) return;
-    const auto torques = std::span(series.torque).subspan(begin);
+    // Single values of the other sign are spikes.
+    std::vector<double> without_spikes = series.torque;
+    replace_spikes(without_spikes);
+    const auto torques = std::span(without_spikes).subspan(begin);
     std::vector<double> positive, negative;
     for (const double torque : torques) {
         if (torque > 0) positive.push_back(torque);
@@ -107,11 +110,15 @@ void check_torque_sign(StepSeries& series, const Recording& recording, const Ste
     const bool mostly_negative = negative.size() > positive.size();
     if (significant(mostly_negative ? positive : negative, torques)) {
         std::size_t row = step.begin + begin;
-        while (mostly_negative ? recording.torque[row] <= 0 : recording.torque[row] >= 0)
+        for (const double torque : torques) {
+            if (mostly_negative ? torque > 0 : torque < 0) break;
             ++row;
+        }
         throw InputError({recording.file, recording.line[row]},
                          "the torque changes its sign within a step of constant set points; split "
-                         "the step here, by a column 'Interval [1]', or correct the sign");
+                         "the step here, by a column 'Interval [1]', or correct the sign; if the "
+                         "number stands for no value, write missing = [\"...\"] with it below "
+                         "[[recording]]");
     }
     series.flipped = mostly_negative;
     if (mostly_negative)
@@ -215,12 +222,41 @@ std::optional<SpeedRamp> speed_ramp(std::span<const double> speeds) {
     const double change = std::abs(middle(last) - middle(before));
     // The difference of two medians of independent values scatters by 1.8 noise/sqrt(quarter).
     const double noise = std::max(sample_noise(last), sample_noise(before));
+    // Rounding moves a median by one step.
+    const auto both = speeds.last(2 * quarter);
     const bool changes = change > 0.5 * settled_speed * std::max(middle(last), middle(before)) &&
-                         change > 5 * noise / std::sqrt(static_cast<double>(quarter));
+                         change > 5 * noise / std::sqrt(static_cast<double>(quarter)) &&
+                         change > 1.5 * least_step({both.begin(), both.end()});
     if (!changes) return std::nullopt;
     constexpr std::size_t rows = 3;  // their median is not moved by one spike
     const SpeedRamp ends{middle(speeds.first(rows)), middle(speeds.last(rows))};
     return ends.factor() > 1 + settled_speed ? ends : extreme_speeds(speeds);
+}
+
+namespace {
+
+/// Medians of `rows` successive values each, which neither noise nor a spike moves by much.
+std::vector<double> medians_of(std::span<const double> values, std::size_t rows) {
+    std::vector<double> medians;
+    for (std::size_t i = 0; i + rows <= values.size(); i += rows)
+        medians.push_back(middle(values.subspan(i, rows)));
+    return medians;
+}
+
+}  // namespace
+
+std::optional<SpeedRamp> varying_speed(std::span<const double> angular_velocity) {
+    if (const auto ramp = speed_ramp(angular_velocity)) return ramp;
+    constexpr std::size_t rows = 5;
+    const auto part = angular_velocity.subspan(begin_at_speed(angular_velocity));
+    if (part.size() < shortest_step) return std::nullopt;
+    const SpeedRamp ends = extreme_speeds(medians_of(part, rows));
+    // The median of five values scatters by half of the noise, and rounding moves it by one step.
+    const double by_chance =
+        std::max(5 * sample_noise(part), 3 * least_step({part.begin(), part.end()}));
+    const bool waves = ends.factor() > (1 + settled_speed) / (1 - settled_speed) &&
+                       ends.last - ends.first > by_chance;
+    return waves ? std::optional(ends) : std::nullopt;
 }
 
 std::vector<std::size_t> take_out_spikes(StepSeries& series) {

@@ -77,6 +77,12 @@ SpeedRamp extreme_speeds(std::span<const double> speeds);
 /// @param speeds angular velocity or shear rate of each row of the step
 std::optional<SpeedRamp> speed_ramp(std::span<const double> speeds);
 
+/// Returns the speeds between which the lid keeps changing its speed: those of `speed_ramp`, or
+/// the extremes of slow waves of more than 20 % about their mean, from the first row at speed on;
+/// empty for a lid that turns steadily.
+/// @param angular_velocity of each row of the step [rad/s]
+std::optional<SpeedRamp> varying_speed(std::span<const double> angular_velocity);
+
 /// Replaces each spike in torque, normal force, height and angular velocity by the median of the 11
 /// values around it (`replace_spikes`). Returns the indices of the data points that changed, in
 /// ascending order.

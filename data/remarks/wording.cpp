@@ -52,9 +52,11 @@ std::string step_text(const Remark& step) {
             return fmt::format("has {} rows, {} are needed", step.count, shortest_step);
         case Kind::speed_ramp:
             return fmt::format(
-                "the speed of the lid changes {} within the step, from {:.3g} to {:.3g} rad/s: no "
-                "steady shear; export steps of constant speed",
-                SpeedRamp{step.size, step.size_to}.change(), step.size, step.size_to);
+                "the speed of the lid changes {} within the step, from {:.3g} to {:.3g} rad/s, and "
+                "none "
+                "lasts {} rows: no steady shear; export steps of constant speed, of more rows",
+                SpeedRamp{step.size, step.size_to}.change(), step.size, step.size_to,
+                shortest_step);
         case Kind::back_and_forth:
             return "the lid turns back and forth: no steady shear";
         case Kind::at_rest:

@@ -141,6 +141,24 @@ TEST_F(ColumnsOf, FindErrorsOfTranslatedNamesAndBehindTheirValues) {
         << "a torque has no error in Pa";
 }
 
+/// "SD" and "Std" may stand for other things than errors: letters of a test, and hours.
+TEST(BareMarks, AreErrorsWhereTheyHoldSome) {
+    const TemporaryFolder folder;
+    const auto has_errors = [&](const std::string& mark, const std::string& cells) {
+        std::string text = "Normal stress [Pa];Shear stress [Pa];" + mark + "\n";
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            text += fmt::format("{};{};{}\n", 1000 * (i + 1), 200 + 510 * (i + 1), cells[i]);
+        const BlockFile file = read_blocks(folder.write("t.csv", text));
+        return file.blocks.at(0).columns.at(2).of_errors;
+    };
+    EXPECT_TRUE(has_errors("SD", "7986"));
+    EXPECT_TRUE(has_errors("SE", "5555"));
+    EXPECT_TRUE(has_errors("±", "2468")) << "2 % of loads at even distances";
+    EXPECT_FALSE(has_errors("SD", "AABB"));
+    EXPECT_FALSE(has_errors("SE", "NNNN"));
+    EXPECT_FALSE(has_errors("Std", "1234"));
+}
+
 TEST_F(ColumnsOf, TranslateTheOtherInertialNumber) {
     const Columns& columns = read("inertial_number_diameter_density [1]\n0.01\n");
     EXPECT_DOUBLE_EQ(columns.value(row(), "inertial_number"),

@@ -157,6 +157,47 @@ TEST(StaircasesOfSpeed, AreReadStepByStep) {
                 testing::StartsWith("steady"));
 }
 
+/// Slow waves of the speed by more than 20 % about its mean are no steady shear, wherever they
+/// begin.
+TEST(ChangingSpeeds, MayBeSlowWaves) {
+    for (const double period : {100.0, 150.0, 300.0}) {
+        for (const double phase : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) {
+            const auto waves = [&](double part) {
+                std::vector<Part> parts;
+                for (int i = 0; i < 400; ++i)
+                    parts.push_back({1, 5 * (1 + part * std::sin(phase + 2 * M_PI * i / period))});
+                return role(recording(parts));
+            };
+            EXPECT_THAT(waves(0.05), testing::StartsWith("steady")) << period << ' ' << phase;
+            for (const double part : {0.25, 0.3, 0.35, 0.4, 0.6})
+                EXPECT_THAT(waves(part), testing::StartsWith("other: the speed of the lid changes"))
+                    << part << ' ' << period << ' ' << phase;
+        }
+    }
+}
+
+/// Noise and rounding of a slow speed are no waves.
+TEST(ChangingSpeeds, AreNoNoise) {
+    std::mt19937_64 random(4);
+    std::normal_distribution<double> normal;
+    for (int repeat = 0; repeat < 50; ++repeat) {
+        std::vector<double> noisy, rounded, alternating;
+        for (int i = 0; i < 400; ++i) {
+            noisy.push_back(1 + 0.3 * normal(random));
+            rounded.push_back(0.1 * std::round(1.8 + 0.3 * normal(random)));
+            alternating.push_back(i / 3 % 2 == 0 ? 0.03 : 0.05);
+        }
+        EXPECT_FALSE(varying_speed(noisy)) << repeat;
+        EXPECT_FALSE(varying_speed(rounded)) << repeat;
+        EXPECT_FALSE(varying_speed(alternating)) << repeat;
+    }
+}
+
+TEST(FewRows, AreTold) {
+    expect_told({role(recording({{3, 2}, {3, 5}, {3, 10}, {3, 20}})), role(recording({{1, 5}})),
+                 role(recording({{19, 60}})), role(recording({{20, 60}}))});
+}
+
 /// The reason for which a step is not used is true of it.
 TEST(ChangingSpeeds, AreToldAsWhatTheyAre) {
     const auto told = [](const std::string& text) {

@@ -194,6 +194,30 @@ TEST(LinesOfStatistics, AreNoSamplesWithSuchNames) {
     EXPECT_EQ(rows(labelled("SD;1;0.6\nSD;2;1.0\nSD;3;1.4\n")), 7) << "a sample of three points";
 }
 
+/// Points on 200 Pa + 0.51 s below a first title, and on 380 Pa + 0.51 s below a second one.
+std::string titled(const std::string& first, const std::string& second) {
+    return "Nr;Normal stress [Pa];Shear stress [Pa]\n" + first + "1;1000;710\n2;2000;1220\n" +
+           "3;3000;1730\n" + second + "1;2000;1400\n2;4000;2420\n3;6000;3440\n";
+}
+
+TEST(TitlesBetweenRows, PartTheLociOfATable) {
+    for (const auto& [first, second] :
+         {std::pair("Sand A;;\n", "Sand B;;\n"), std::pair("", "Sand B\n"),
+          std::pair(";Sand A;\n", "\n;Sand B;\n")}) {
+        const FileView view = points(titled(first, second));
+        EXPECT_THAT(cohesions(view), testing::Pointwise(testing::DoubleNear(1e-6), {200.0, 380.0}))
+            << first << second;
+    }
+    const FileView view = points(titled("Sand A;;\n", "Sand B;;\n"));
+    ASSERT_THAT(view.loci, SizeIs(2));
+    EXPECT_EQ(view.loci[1].test, "Sand B");
+    EXPECT_THAT(points(titled("Sand A;;\n", "") + "End of data;;\n").loci, SizeIs(1));
+    std::string five = titled("Sand A;;\n", "Sand B;;\n");
+    for (const char* const title : {"Sand C;;\n", "Sand D;;\n", "Sand E;;\n"})
+        five += std::string(title) + "1;1000;710\n2;2000;1220\n3;3000;1730\n";
+    EXPECT_THAT(points(five).loci, SizeIs(5));
+}
+
 TEST(LiquidContents, PartTheLociOfATable) {
     const FileView view = points(
         "Liquid content [%];Normal stress [kPa];Shear stress [kPa]\n0;1;0.71\n0;2;1.22\n0;3;1.73\n"

@@ -118,6 +118,16 @@ TEST(Units, RefuseMegaForMilliInForces) {
 TEST(Units, KnowGermanHours) {
     for (const char* const hours : {"Std", "Std.", "Stunden"})
         EXPECT_EQ(Unit(hours).to_si(1), 3600) << hours;
+    EXPECT_EQ(parse_header_cell("Zeit Std").unit, "Std");
+    EXPECT_EQ(parse_header_cell("Drehmoment Std").mark, ErrorMark::standard_deviation);
+}
+
+TEST(Units, KnowStressesAsEngineersWriteThem) {
+    EXPECT_DOUBLE_EQ(Unit("0,1 MPa").to_si(1), 1e5);
+    EXPECT_DOUBLE_EQ(Unit("10 ^ 3 Pa").to_si(1), 1e3);
+    EXPECT_DOUBLE_EQ(Unit("tf/m²").to_si(1), 9806.65);
+    EXPECT_NEAR(Unit("mm WS").to_si(1), 9.80665, 1e-4);
+    EXPECT_THROW(Unit("tonf/m2"), std::invalid_argument) << "of 1000 kg, or of 2000 lb";
 }
 
 }  // namespace pendular::data_powers_of_ten_test

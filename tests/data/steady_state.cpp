@@ -310,6 +310,28 @@ TEST(ReduceRecording, RefusesATorqueOfBothSigns) {
     expect_told({error(half), error(few), error(weak), error(alternating), error(wave)});
 }
 
+TEST(ReduceRecording, TakesSingleTorquesOfTheOtherSignForSpikes) {
+    const Reading expected = reduce(record({})).readings.at(0);
+    Recording recording = record({});
+    recording.torque[150] = recording.torque[220] = -0.999;
+    const Measurements found = reduce(recording);
+    ASSERT_EQ(found.readings.size(), 1u);
+    EXPECT_NEAR(found.readings[0].value(0), expected.value(0),
+                3 * std::sqrt(expected.covariance(0, 0)));
+    EXPECT_EQ(std::ranges::count(found.remarks, Remark::Kind::spike, &Remark::kind), 2);
+}
+
+TEST(ReduceRecording, NamesNoSpikesBeforeTheSteadyPart) {
+    Recording recording = record({});
+    for (std::size_t i = 0; i < recording.size(); ++i) {
+        const double after = static_cast<double>(i) - 10;
+        recording.torque[i] *= after < 0 ? 0.1 : 1 + 4 * std::exp(-after);
+    }
+    const Measurements found = reduce(recording);
+    ASSERT_EQ(found.readings.size(), 1u);
+    EXPECT_EQ(std::ranges::count(found.remarks, Remark::Kind::spike, &Remark::kind), 0);
+}
+
 TEST(ReduceRecording, LetsTheTorqueRelaxThroughZeroWhileTheLidRests) {
     Recording recording = record({.speed = 0});
     for (std::size_t i = 0; i < recording.size(); ++i)

@@ -49,6 +49,11 @@ Row SourceLines::row(std::size_t line, char delimiter) const {
                        InnerQuotes::kept, of_sheet);
 }
 
+std::size_t filled_cells(const Row& row) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(row.cells, [](const Cell& cell) { return !cell.text.empty(); }));
+}
+
 bool is_blank(const Row& row) {
     return std::all_of(row.cells.begin(), row.cells.end(),
                        [](const Cell& cell) { return trimmed(cell.text).empty(); });

@@ -32,6 +32,12 @@ struct Fact {
     int line = 0;  ///< of the file, from 1
 };
 
+/// Text that stands alone in a line among the rows of a table, such as "Sand B".
+struct Title {
+    std::string text;
+    int line = 0;  ///< of the file, from 1
+};
+
 /// Interval of a file: rows under one header, such as a step of a rheometer's test. What the file
 /// does not state is empty or 0.
 struct Block {
@@ -40,7 +46,8 @@ struct Block {
     int number = 0;                           ///< of the interval in its test, from 1
     std::string stated_role = {};             ///< one of `interval_roles`
     std::optional<double> bulk_density = {};  ///< of the sample with its liquid [kg/m^3]
-    std::optional<double> liquid_content = {};  ///< of a point of failure [1], if the file states it
+    std::optional<double> liquid_content =
+        {};  ///< of a point of failure [1], if the file states it
     /// Normal and shear stress of the preshear of a point of failure [Pa], if the file states them.
     std::optional<double> preshear_normal_stress = {}, preshear_shear_stress = {};
     std::optional<std::size_t> declared_rows;
@@ -82,6 +89,7 @@ struct BlockFile {
     char delimiter = ',';
     NumberStyle numbers;
     std::vector<Fact> facts;       ///< each key once; upper and lower case count as equal
+    std::vector<Title> titles;     ///< of parts of its tables, in the order of the file
     std::vector<Block> blocks;     ///< in the order of the file
     std::vector<Remark> skipped;   ///< rows that were not read, in the order of reading
     std::vector<Lines> hidden;     ///< rows that a workbook hides; they are read
@@ -112,6 +120,9 @@ struct SourceLines {
 
 /// Whether all cells of a row are empty or blank.
 bool is_blank(const Row& row);
+
+/// Returns the number of cells with a text.
+std::size_t filled_cells(const Row& row);
 
 /// Returns the delimiter (tab, semicolon or comma; the earlier in this order if two are equally
 /// consistent) with which most lines from `begin` to `end` - 1 have as many cells as the preceding

@@ -4,10 +4,11 @@
 
 #include "data/files/column_names.h"
 #include "data/files/columns.h"
-#include "data/files/header_names.h"
 #include "data/files/formats/layouts.h"
 #include "data/files/formats/unit_cells.h"
 #include "data/files/header_cell.h"
+#include "data/files/header_names.h"
+#include "data/files/missing_mark.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 
@@ -55,6 +56,35 @@ void state_columns(Table& table, const FileFormat& format) {
         table.header.cells[i].text = format.columns[i];
 }
 
+/// Whether the numbers count the rows, as hours do: each is 1 more than the one before.
+bool counts_up(const std::vector<double>& numbers) {
+    for (std::size_t i = 1; i < numbers.size(); ++i)
+        if (numbers[i] != numbers[i - 1] + 1) return false;
+    return numbers.size() > 1;
+}
+
+/// Whether a column with a bare mark such as "SD" may hold errors. The mark has other meanings:
+/// letters of a test, and hours in German.
+bool may_hold_errors(const Table& table, std::size_t column) {
+    std::vector<double> numbers;
+    for (const Row& row : table.rows) {
+        const std::string& text = row.cells[column].text;
+        if (marks_no_value(text)) continue;
+        const auto number = parse_number(text);
+        if (!number || *number < 0) return false;
+        numbers.push_back(*number);
+    }
+    return !counts_up(numbers);
+}
+
+/// Gives columns with a bare mark that hold no errors the names back that they have in the file.
+void take_back_marks(Table& table, const Row& written) {
+    for (std::size_t i = 0; i < written.cells.size(); ++i) {
+        const bool marked = bare_mark(parse_header_cell(written.cells[i].text)) != ErrorMark::none;
+        if (marked && !may_hold_errors(table, i)) table.header.cells[i] = written.cells[i];
+    }
+}
+
 /// Reads facts such as "# Inner radius: 21 mm" before the header.
 void read_comments(const SourceLines& source, int header, BlockFile& file) {
     for (int line = 1; line < header; ++line) {
@@ -81,6 +111,7 @@ Layout plain_layout() {
                 refuse_lists(block.table);
                 const Row written = block.table.header;
                 use_names_of_quantities(block.table.header);
+                take_back_marks(block.table, written);
                 for (std::size_t i = 0; i < written.cells.size(); ++i) {
                     const HeaderCell parts = parse_header_cell(written.cells[i].text);
                     const HeaderCell named = parse_header_cell(block.table.header.cells[i].text);

@@ -258,12 +258,21 @@ void take_statistics_below(SourceLines& source, std::size_t first, char delimite
     }
 }
 
+/// Leaves out a line of words, and keeps a text that is alone in it as a title.
+void leave_out_words(SourceLines& source, std::size_t line, char delimiter, BlockFile& file) {
+    const Row row = source.row(line, delimiter);
+    if (filled_cells(row) == 1)
+        file.titles.push_back({row.cells[first_filled_cell(row)].text, row.line});
+    source.lines[line] = {};
+    skip_line(file, row.line, Remark::Kind::after_interval);
+}
+
 /// Leaves out lines of words among the rows of a table and below them: titles of its parts, means
 /// of the columns, signatures, and "End of data".
 /// @param first index of the first row
 void take_lines_of_words(SourceLines& source, std::size_t first, char delimiter, BlockFile& file) {
     // A table of more titles than that is none of numbers with a few words among them.
-    constexpr std::size_t most_below = 20, fewest_rows = 3, rows_of_a_title = 4;
+    constexpr std::size_t most_below = 20, fewest_rows = 3, rows_of_a_title = 3;
     const Row row = source.row(first, delimiter);
     take_statistics_below(source, first, delimiter, file);
     // Where the first row begins with a word, others may do so too.
@@ -273,10 +282,8 @@ void take_lines_of_words(SourceLines& source, std::size_t first, char delimiter,
         rows_of_a_title * words.among.size() > words.rows)
         return;
     std::ranges::copy(words.below, std::back_inserter(words.among));
-    for (const std::size_t line : words.among) {
-        source.lines[line] = {};
-        skip_line(file, static_cast<int>(line) + 1, Remark::Kind::after_interval);
-    }
+    for (const std::size_t line : words.among)
+        leave_out_words(source, line, delimiter, file);
 }
 
 /// Leaves out a title between the names and the first row, such as "Step 1: 4 kPa" above the rows
@@ -287,11 +294,7 @@ void take_title_below_names(SourceLines& source, std::size_t names, std::size_t 
         if (first_filled_line(source, i) != i || source.lines[i].starts_with('#')) continue;
         const Row row = source.row(i, delimiter);
         if (!begins_with_word(row) || !stands_for_no_row(row, row.cells.size())) continue;
-        const auto filled =
-            std::ranges::count_if(row.cells, [](const Cell& cell) { return !cell.text.empty(); });
-        if (filled != 1) continue;
-        source.lines[i] = {};
-        skip_line(file, static_cast<int>(i) + 1, Remark::Kind::after_interval);
+        if (filled_cells(row) == 1) leave_out_words(source, i, delimiter, file);
     }
 }
 

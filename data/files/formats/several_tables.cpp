@@ -36,11 +36,6 @@ std::size_t numbers_in(const Row& row) {
         std::ranges::count_if(row.cells, [](const Cell& cell) { return is_number(cell.text); }));
 }
 
-std::size_t filled_cells(const Row& row) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(row.cells, [](const Cell& cell) { return !cell.text.empty(); }));
-}
-
 /// Line with the names of the columns.
 struct NamesLine {
     std::size_t line = 0;

@@ -32,109 +32,36 @@ std::vector<std::string> words_of(std::string_view text) {
     return words;
 }
 
-/// Whether a word names a statistic by itself, in one of the languages of `further_names.cpp`.
-bool is_statistic(std::string_view word) {
-    constexpr std::array<std::string_view, 90> all = {"mean",
-                                                      "means",
-                                                      "average",
-                                                      "avg",
-                                                      "mittel",
-                                                      "mittelwert",
-                                                      "mittelw",
-                                                      "mw",
-                                                      "durchschnitt",
-                                                      "moyenne",
-                                                      "moy",
-                                                      "media",
-                                                      "promedio",
-                                                      "gemiddelde",
-                                                      "gemiddeld",
-                                                      "srednia",
-                                                      "średnia",
-                                                      "medel",
-                                                      "medelvarde",
-                                                      "gennemsnit",
-                                                      "prumer",
-                                                      "průměr",
-                                                      "atlag",
-                                                      "ortalama",
-                                                      "keskiarvo",
-                                                      "среднее",
-                                                      "средняя",
-                                                      "平均",
-                                                      "平均値",
-                                                      "平均值",
-                                                      "평균",
-                                                      "ø",
-                                                      "x̄",
-                                                      "median",
-                                                      "medianwert",
-                                                      "mediane",
-                                                      "mediana",
-                                                      "geomean",
-                                                      "min",
-                                                      "max",
-                                                      "minimum",
-                                                      "maximum",
-                                                      "minimo",
-                                                      "maximo",
-                                                      "massimo",
-                                                      "sum",
-                                                      "summe",
-                                                      "somme",
-                                                      "suma",
-                                                      "somma",
-                                                      "total",
-                                                      "gesamt",
-                                                      "anzahl",
-                                                      "count",
-                                                      "sd",
-                                                      "std",
-                                                      "stddev",
-                                                      "stdev",
-                                                      "stabw",
-                                                      "stdabw",
-                                                      "standardabweichung",
-                                                      "streuung",
-                                                      "ecarttype",
-                                                      "ecart",
-                                                      "desv",
-                                                      "desvest",
-                                                      "desviacion",
-                                                      "deviazione",
-                                                      "scarto",
-                                                      "odchylenie",
-                                                      "odch",
-                                                      "odchylka",
-                                                      "smodch",
-                                                      "szoras",
-                                                      "standardafvigelse",
-                                                      "standardavvikelse",
-                                                      "standaarddeviatie",
-                                                      "keskihajonta",
-                                                      "ско",
-                                                      "標準偏差",
-                                                      "标准差",
-                                                      "표준편차",
-                                                      "variance",
-                                                      "varianz",
-                                                      "var",
-                                                      "varians",
-                                                      "cv",
-                                                      "rsd",
-                                                      "sem",
-                                                      "se"};
-    return std::ranges::find(all, word) != all.end();
+/// Words that name a statistic by themselves, in the languages of `further_names.cpp`.
+constexpr std::string_view statistics =
+    "mean means average avg mittel mittelwert mittelw mw durchschnitt moyenne moy "
+    "media promedio gemiddelde gemiddeld srednia średnia medel medelvarde gennemsnit "
+    "prumer průměr atlag ortalama keskiarvo среднее средняя 平均 平均値 平均值 평균 ø x̄ median "
+    "medianwert mediane mediana geomean min max minimum maximum minimo maximo massimo "
+    "sum summe somme suma somma total gesamt anzahl count sd std stddev stdev stabw "
+    "stdabw standardabweichung streuung ecarttype ecart desv desvest desviacion "
+    "deviazione scarto odchylenie odch odchylka smodch szoras standardafvigelse "
+    "standardavvikelse standaarddeviatie keskihajonta ско 標準偏差 标准差 표준편차 variance "
+    "varianz var varians cv rsd sem se";
+
+/// Words that may stand beside one of these.
+constexpr std::string_view beside_statistics =
+    "value values wert werte dev deviation abw abweichung error err of der des type "
+    "est estandar standard stand std rel relative arith geo geometric sample all the "
+    "arithmetic arithm";
+
+/// Whether a word is one of a list, which are separated by blanks.
+bool is_among(std::string_view list, std::string_view word) {
+    for (std::size_t at = list.find(word); at != list.npos; at = list.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' '))
+            return true;
+    }
+    return false;
 }
 
-/// Whether a word may stand beside one of these.
-bool goes_with_statistic(std::string_view word) {
-    constexpr std::array<std::string_view, 29> all = {
-        "value",    "values", "wert", "werte",      "dev",      "deviation", "abw", "abweichung",
-        "error",    "err",    "of",   "der",        "des",      "type",      "est", "estandar",
-        "standard", "stand",  "std",  "rel",        "relative", "arith",     "geo", "geometric",
-        "sample",   "all",    "the",  "arithmetic", "arithm"};
-    return std::ranges::find(all, word) != all.end();
+bool is_statistic(std::string_view word) {
+    return is_among(statistics, word);
 }
 
 /// Number in a cell; of a table whose decimal mark is a comma, too.
@@ -216,7 +143,7 @@ bool names_statistic(std::string_view text) {
     const std::vector<std::string> words = words_of(text);
     return std::ranges::any_of(words, is_statistic) &&
            std::ranges::all_of(words, [](const std::string& word) {
-               return is_statistic(word) || goes_with_statistic(word);
+               return is_statistic(word) || is_among(beside_statistics, word);
            });
 }
 
