@@ -4,15 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "data/files/column_names.h"
+#include "data/files/folded_name.h"
+#include "data/files/formats/layouts.h"
 #include "data/files/formats/named_columns.h"
 #include "data/files/header_cell.h"
 #include "data/files/sheet_path.h"
+#include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
 #include "data/recordings/column_kinds.h"
@@ -141,6 +145,43 @@ std::string missing_sentence(const FileView& view) {
         add_sentence(
             text, fmt::format("{} further columns are not used.", view.candidates.size() - most));
     return text;
+}
+
+namespace {
+
+/// Whether a column is that of another after a correction: its name has a word for one more.
+bool corrects(const BlockColumn& column, const BlockColumn& raw) {
+    constexpr std::array<std::string_view, 14> words = {
+        "corr",    "tared", "zeroed",    "net",  "compens",  "adjust",    "korr",
+        "tariert", "netto", "bereinigt", "tare", "corregid", "compensat", "kompens"};
+    const std::string all = lower_case(column.name), name = lower_case(raw.name);
+    if (all == name || !all.starts_with(name) || column.unit != raw.unit) return false;
+    const std::string_view rest = trimmed(std::string_view(all).substr(name.size()));
+    return std::ranges::any_of(words, [&](std::string_view word) {
+        return rest.substr(std::min(rest.find_first_not_of("([-_ "), rest.size()))
+            .starts_with(word);
+    });
+}
+
+}  // namespace
+
+std::vector<std::string> corrected_sentences(const FileView& view) {
+    std::vector<std::string> sentences;
+    if (!is_own_table(view.file.layout)) return sentences;
+    const std::vector<BlockColumn>& columns = view.file.blocks.front().columns;
+    for (const BlockColumn& column : columns) {
+        if (!column.quantity.empty() || column.unit.empty()) continue;
+        const auto raw = std::ranges::find_if(columns, [&](const BlockColumn& each) {
+            return !each.quantity.empty() && !each.of_errors && corrects(column, each);
+        });
+        if (raw == columns.end()) continue;
+        sentences.push_back(fmt::format(
+            "Column '{0} [{1}]' is not used, and '{2} [{1}]' is; for the corrected values, write "
+            "columns = {{ {3} = \"{0} [{1}]\" }} below [[recording]], or for one file by "
+            "--columns",
+            column.name, column.unit, raw->name, raw->quantity));
+    }
+    return sentences;
 }
 
 }  // namespace pendular

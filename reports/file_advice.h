@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "data/recordings/file_view.h"
 
@@ -19,5 +20,9 @@ bool lacks(const FileView& view, std::string_view name);
 /// only the stresses. If all intervals are of other tests, it says that nothing is read. Empty if
 /// nothing is lacking or the file is a report of yield loci.
 std::string missing_sentence(const FileView& view);
+
+/// Returns a sentence for each unused column of corrected values beside the used one of raw values,
+/// such as "Torque tared" beside "Torque", with the line that makes it the used one.
+std::vector<std::string> corrected_sentences(const FileView& view);
 
 }  // namespace pendular

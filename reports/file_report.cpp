@@ -338,6 +338,8 @@ Output file_output(const FileView& view, bool all, bool is_answer) {
                 "intervals, name it by --columns or in [[recording]], columns = {{ interval = "
                 "\"{0}\" }}",
                 column.name));
+    for (const std::string& sentence : corrected_sentences(view))
+        output.note(sentence);
     for (const auto& [quantity_name, column] : view.by_unit) {
         const bool clock = !unit_fits(parse_header_cell(column).unit, quantity_name) ||
                            parse_header_cell(column).unit.empty();
@@ -345,7 +347,8 @@ Output file_output(const FileView& view, bool all, bool is_answer) {
             "Column '{}' is read as the {}, since {}; if it is something else, name the right one "
             "by --columns or in [[recording]], as in columns = {{ {} = \"{}\" }}",
             column, quantity(quantity_name).meaning,
-            clock ? "it has clock times and no other has times" : "no other has a unit of it",
+            clock ? "it has clock times and no other has times"
+                  : "by name and unit no other may be it",
             quantity_name, column));
     }
     return output;

@@ -54,7 +54,8 @@ const std::vector<OtherNames>& other_names() {
     static const std::vector<OtherNames> all = {
         {"",
          {"change", "anderung", "delta", "difference", "differenz", "variation", "amplitud",
-          "ampiezza", "noise", "offset", "residual", "leerlauf", "error"}},
+          "ampiezza", "noise", "offset", "residu", "leerlauf", "error", "desv", "stabw", "ecart",
+          "scarto", "deviat"}},
         {"height",
          {"dilat",    "settl",     "setzung", "tassement", "compaction", "diam",     "durchmesser",
           "radius",   "rayon",     "radio",   "raggio",    "arm",        "lever",    "hebel",
@@ -70,9 +71,9 @@ const std::vector<OtherNames>& other_names() {
         {"normal_stress",
          {"fluid", "water", "wasser", "gas", "vapo", "dampf", "hydraul", "pneumat", "supply",
           "tangen"}},
-        {"stress", {"air",     "ambient", "umgebung", "atmo",    "luft",   "baro",   "pore",
-                    "suction", "saug",    "vacuum",   "vakuum",  "capill", "kapill", "modul",
-                    "yield",   "fliess",  "strength", "festigk", "cohesi", "kohasi"}},
+        {"stress", {"air",     "ambient", "umgebung", "atmo",     "luft",    "baro",   "pore",
+                    "suction", "succi",   "saug",     "vacuum",   "vakuum",  "capill", "kapill",
+                    "modul",   "yield",   "fliess",   "strength", "festigk", "cohesi", "kohasi"}},
         {"torque",
          {"bearing", "lager", "friction", "reibung", "frottement", "attrito", "inertia", "tragheit",
           "idle", "seal", "dichtung", "zero", "null", "energy", "work"}},
@@ -100,7 +101,7 @@ std::vector<std::string> folded_words(std::string_view name) {
 }
 
 /// Whether a name is that of something else than a quantity, by its words.
-bool names_other(std::string_view name, std::string_view quantity) {
+bool has_words_of_another(std::string_view name, std::string_view quantity) {
     constexpr std::size_t short_part = 4;
     const std::vector<std::string> words = folded_words(name);
     const auto has = [&](std::string_view part) {
@@ -137,19 +138,13 @@ bool names_factor(std::string_view name) {
            });
 }
 
-/// Whether a name says that its column has no measured values of a quantity that is needed: set
-/// points, a way instead of a height, or values with a factor.
-bool says_otherwise(std::string_view name, std::string_view quantity) {
+/// Whether a name is that of a set point or a limit, or has a factor.
+bool says_otherwise(std::string_view name) {
     const std::string folded = folded_name(name);
     const auto has = [&](std::string_view word) { return folded.find(word) != std::string::npos; };
     constexpr std::array<std::string_view, 8> set = {"set",      "soll",    "target", "demand",
                                                      "consigne", "nominal", "limit",  "max"};
-    constexpr std::array<std::string_view, 11> ways = {
-        "lidheight",      "deckelhohe",  "displacement", "stroke",   "weg",        "deplacement",
-        "desplazamiento", "spostamento", "travel",       "position", "deformation"};
-    return std::ranges::any_of(set, has) ||
-           (quantity == "height" && std::ranges::any_of(ways, has)) ||
-           names_other(name, quantity) || names_factor(name);
+    return std::ranges::any_of(set, has) || names_factor(name);
 }
 
 /// Whether a unit shows a quantity. A speed needs an angle or minutes, since 1/s and Hz are those
@@ -198,10 +193,29 @@ std::string_view shown_by(const Block& block, std::size_t index, const NeededGro
     if (of_time && !is_unit(column.unit) && has_clock_times(block, index)) return "time";
     if (column.unit.empty()) return "";
     for (const std::string_view quantity : group.by_unit)
-        if (shows(column.unit, quantity) && !says_otherwise(column.name, quantity) &&
-            (quantity != "time" || may_be_times(block, index)))
+        if (shows(column.unit, quantity) && !names_another(column.name, quantity) &&
+            !says_otherwise(column.name) && (quantity != "time" || may_be_times(block, index)))
             return quantity;
     return "";
+}
+
+/// Whether another column has a peak in a unit of the same group, as "Shear stress max" beside
+/// "Shear stress min": what is left is not what is sought.
+bool another_has_the_peak(const Block& block, std::size_t index, const NeededGroup& group) {
+    constexpr std::array<std::string_view, 8> peaks = {"max",  "peak",  "spitze",   "pic",
+                                                       "pico", "picco", "strength", "resisten"};
+    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+        const BlockColumn& column = block.columns[i];
+        if (i == index || !column.quantity.empty() || column.unit.empty()) continue;
+        const std::string folded = folded_name(column.name);
+        const auto has = [&](std::string_view word) {
+            return folded.find(word) != std::string::npos;
+        };
+        const auto fits = [&](std::string_view quantity) { return shows(column.unit, quantity); };
+        if (std::ranges::any_of(peaks, has) && std::ranges::any_of(group.by_unit, fits))
+            return true;
+    }
+    return false;
 }
 
 /// Groups of which a block has no column.
@@ -250,6 +264,16 @@ std::vector<Counter> counters_of(const Block& block) {
 
 }  // namespace
 
+bool names_another(std::string_view name, std::string_view quantity) {
+    const std::string folded = folded_name(name);
+    const auto has = [&](std::string_view word) { return folded.find(word) != std::string::npos; };
+    constexpr std::array<std::string_view, 11> ways = {
+        "lidheight",      "deckelhohe",  "displacement", "stroke",   "weg",        "deplacement",
+        "desplazamiento", "spostamento", "travel",       "position", "deformation"};
+    return (quantity == "height" && std::ranges::any_of(ways, has)) ||
+           has_words_of_another(name, quantity);
+}
+
 std::vector<BlockColumn> columns_like_intervals(const BlockFile& file,
                                                 const std::vector<IntervalSeries>& series) {
     std::vector<BlockColumn> found;
@@ -280,7 +304,7 @@ std::map<std::string, std::string> columns_by_unit(const BlockFile& file) {
         std::vector<std::size_t> fitting;
         for (std::size_t i = 0; i < block.columns.size(); ++i)
             if (!shown_by(block, i, *group).empty()) fitting.push_back(i);
-        if (fitting.size() != 1) continue;
+        if (fitting.size() != 1 || another_has_the_peak(block, fitting.front(), *group)) continue;
         const std::size_t index = fitting.front();
         const auto fits = [&](const NeededGroup* each) {
             return !shown_by(block, index, *each).empty();

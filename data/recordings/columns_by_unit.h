@@ -9,6 +9,10 @@
 
 namespace pendular {
 
+/// Whether the name of a column is that of something else than a quantity of its unit: of a
+/// displacement, not a height, or of a residual stress.
+bool names_another(std::string_view name, std::string_view quantity);
+
 /// Returns columns of a table of someone's own that are read as a quantity by their unit alone: a
 /// quantity of steady shear is missing, and no other column has a unit that fits it. A column of
 /// clock times is one of times. Set points, columns of errors and of other kinds of tests are none,

@@ -81,7 +81,8 @@ std::vector<std::string_view> missing_quantities_of(const BlockColumn& column,
     for (const Needed& needed : needed_quantities()) {
         if (std::ranges::find(view.missing, needed.name) == view.missing.end()) continue;
         const auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
-            return name != "lever_force" && unit_fits(column.unit, name);
+            return name != "lever_force" && unit_fits(column.unit, name) &&
+                   !names_another(column.name, name);
         });
         if (fits != needed.quantities.end()) by_unit.push_back(*fits);
         if (!named.shared &&
@@ -104,7 +105,9 @@ std::vector<BlockColumn> candidates(const FileView& view) {
     const Block& block = view.file.blocks.front();
     for (std::size_t i = 0; i < block.columns.size(); ++i) {
         const BlockColumn& column = block.columns[i];
-        if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty())
+        const bool errors = bare_mark({column.name, column.unit}) != ErrorMark::none;
+        if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty() ||
+            errors)
             continue;
         std::vector<std::string_view> possible = missing_quantities_of(column, view);
         if (possible.empty() && !is_unit(column.unit) && holds_numbers(block, i))

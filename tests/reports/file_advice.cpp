@@ -43,6 +43,24 @@ TEST_F(FileAdvice, OnColumnsThatMayBeSeveralThings) {
          advice("Time [s],Alpha [Qx],Beta [Qy],Gap [mm],Speed [rpm]\n0,1,2,6,2\n1,1,2,6,2\n")});
 }
 
+TEST_F(FileAdvice, OnPeaksBesideResidualStresses) {
+    const auto of = [&](const std::string& names) {
+        return advice(names + "\n2000;1250;1000\n4000;2330;1864\n6000;3400;2800\n");
+    };
+    expect_told({of("Normal stress [Pa];Shear stress max [Pa];Shear stress min [Pa]"),
+                 of("Normal stress [Pa];Contrainte maximale [Pa];Contrainte résiduelle [Pa]"),
+                 of("Tensión normal [Pa];Valor máx. [Pa];Succión [Pa]")});
+}
+
+TEST_F(FileAdvice, OnColumnsOfCorrectedValues) {
+    const std::string rows = "2000;1250;1000\n4000;2330;1864\n6000;3400;2800\n";
+    const auto corrected = [&](const std::string& names) {
+        return corrected_sentences(view_of_file(folder_.write("t.csv", names + "\n" + rows)));
+    };
+    expect_told(corrected("Normal stress [Pa];Shear stress [Pa];Shear stress (corrected) [Pa]"));
+    EXPECT_TRUE(corrected("Normal stress [Pa];Shear stress [Pa];Shear stress 2 [Pa]").empty());
+}
+
 TEST_F(FileAdvice, OnMassesForForces) {
     const auto torque = [&](const std::string& header) {
         return advice("Time [s],\"" + header +
