@@ -103,10 +103,12 @@ std::vector<std::string> skipped_lines(const BlockFile& file, bool all) {
             known->lines.push_back(rows.lines.front());
     }
     std::vector<std::string> lines;
-    for (const Remark& rows : by_reason)
+    for (Remark& rows : by_reason) {
+        std::ranges::sort(rows.lines, {}, &Lines::first);
         lines.push_back(fmt::format("  {} {}: {}. Left out.", line_word(rows.lines),
                                     text_of_lines(rows.lines, all ? rows.lines.size() : 8),
                                     text_of(rows)));
+    }
     return lines;
 }
 

@@ -20,6 +20,7 @@
 #include "data/input_error.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
+#include "data/recordings/test_kinds.h"
 #include "data/remarks/wording.h"
 #include "workflow/study_input.h"
 
@@ -77,6 +78,12 @@ void refuse_to_begin(const FileView& view) {
                          "the normal force is negative in nearly all rows, so that no study can "
                          "begin with it; compression must be positive: reverse the sign of the "
                          "column in the file");
+    if (view.file.layout == "plain" && !view.file.table_of_points &&
+        is_table_of_readings(view.file.blocks.front()))
+        throw InputError(
+            {view.file.file},
+            "is a table of readings, with which no study begins by itself: write a study.toml with "
+            "[cell], [grains] and [[readings]], and name the file there");
     throw InputError(
         {view.file.file},
         fmt::format("shows neither steady shear nor points of failure, so that no study can "

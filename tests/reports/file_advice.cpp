@@ -6,6 +6,7 @@
 
 #include "data/recordings/file_view.h"
 #include "tests/support/golden.h"
+#include "workflow/file_views.h"
 
 namespace pendular::reports_file_advice_test {
 
@@ -102,7 +103,8 @@ TEST_F(FileAdvice, OnASheetOfReadingsCanBePasted) {
     const std::string command = "python3 " PENDULAR_SOURCE_DIR "/tests/data/make_workbook.py " +
                                 book.string() + " P=" + rows.string();
     ASSERT_EQ(std::system(command.c_str()), 0);
-    expect_told({missing_sentence(view_of_file(book))});
+    expect_told({missing_sentence(view_of_file(book)),
+                 input_error([&] { refuse_to_begin(view_of_file(book)); })});
 }
 
 }  // namespace pendular::reports_file_advice_test
