@@ -50,7 +50,7 @@ bool lacks_torque(const FileView& view) {
     });
 }
 
-/// What a value comes from that stands above the table.
+/// Comment on a value that stands above the table.
 std::string from_line(const StatedValue& stated) {
     return fmt::format("from line {} of the file", stated.line);
 }

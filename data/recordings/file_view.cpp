@@ -143,8 +143,7 @@ std::vector<BlockColumn> candidates(const FileView& view) {
     return found;
 }
 
-/// What is wrong with the unit of the first column with the name of a quantity; empty if nothing
-/// is.
+/// Fault in the unit of the first column with the name of a quantity; empty if there is none.
 std::string wrong_unit(const Block& block) {
     for (const BlockColumn& column : block.columns) {
         const std::string_view named = meaning_of_column(column.name, "").quantity;

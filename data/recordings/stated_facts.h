@@ -16,7 +16,7 @@ struct StatedValue {
     std::string text;  ///< number and unit as in the file, such as "21 mm"
 };
 
-/// What one line above a table states, taken apart.
+/// Statement of one line above a table, taken apart.
 struct StatedFact {
     std::string name;  ///< `folded_name`, without a unit
     std::string unit;  ///< in brackets behind the name, as in "Radius (mm);20"; empty: none

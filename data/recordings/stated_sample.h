@@ -7,7 +7,7 @@
 
 namespace pendular {
 
-/// What the lines above a table state of the beads.
+/// Beads as the lines above a table state them.
 struct StatedSample {
     std::optional<StatedValue> diameter;  ///< [m]
     std::optional<StatedValue> density;   ///< of the grain material [kg/m^3]

@@ -68,8 +68,8 @@ TEST_F(ReadBlocks, RecogniseRheoCompassInAnyLanguageAndEncoding) {
         reasons.insert(text_of(file.skipped[0]));
     }
     std::string apart = text;  // a line between the begin of an interval and its names
-    for (std::size_t at = apart.find("\nInterval donn"); at != std::string::npos;
-         at = apart.find("\nInterval donn", at + 3))
+    for (std::size_t at = apart.find("\nInterval "); at != std::string::npos;
+         at = apart.find("\nInterval ", at + 3))
         apart.insert(at + 1, "\r\n");
     EXPECT_THAT(row_counts(read(apart)), ElementsAre(3, 2, 3));
     EXPECT_EQ(used_columns(read(apart).blocks[0]), used_columns(read(text).blocks[0]));
