@@ -12,7 +12,10 @@
 
 #include "data/files/column_names.h"
 #include "data/files/folded_name.h"
+<<<<<<< HEAD
 #include "data/files/formats/layouts.h"
+=======
+>>>>>>> h55r
 #include "data/files/formats/named_columns.h"
 #include "data/files/header_cell.h"
 #include "data/files/sheet_path.h"
@@ -56,6 +59,12 @@ std::string file_in_study(const std::filesystem::path& path) {
 /// Advice on a column that is not used although it may be what is missing.
 std::string candidate_sentence(const BlockColumn& column, const FileView& view) {
     const std::string meanings = possible_meanings(column, view);
+    if (names_factor_of_numbers(column.name))
+        return fmt::format(
+            "Column '{} [{}]' is not used, since its name has a factor, by which the numbers may "
+            "have been multiplied or divided; write them in the unit of the column, without a "
+            "factor.",
+            column.name, column.unit);
     if (unit_fits(column.unit, column.quantity))
         // Units of the other layouts stand in a row of their own.
         return fmt::format(
@@ -66,6 +75,10 @@ std::string candidate_sentence(const BlockColumn& column, const FileView& view) 
     std::string text =
         fmt::format("Column '{} [{}]' is not used: {}", column.name, column.unit, why_not(column));
     if (!text.ends_with('?')) text += '.';
+    if (const std::string weight = weight_meant(column.unit);
+        !weight.empty() && unit_fits(weight, column.quantity))
+        text += fmt::format(" If it is {}, state it so: {}.", meanings,
+                            line_to_name(column.quantity, column.name, weight));
     // A unit that is no unit may be one in another language.
     if (!is_unit(column.unit))
         text += fmt::format(
@@ -107,7 +120,29 @@ std::string advice_on_missing(const FileView& view) {
     if (!view.loci.empty()) return "Its points of failure need only the stresses.";
     if (std::string results = results_sentence(view); !results.empty()) return results;
     std::string rows = rows_sentence(view);
-    return rows.empty() ? "Export these columns too." : rows;
+    if (!rows.empty()) return rows;
+    // Where columns may be what is missing, they are there.
+    return view.candidates.size() >= view.missing.size() ? "" : "Export these columns too.";
+}
+
+/// Advice on a file with the angle of the lid in place of its speed; empty for others.
+std::string angle_sentence(const FileView& view) {
+    if (!lacks(view, "speed of the lid") || lacks(view, "time")) return "";
+    static constexpr std::array<std::string_view, 5> words = {"angle", "winkel", "angulo", "ángulo",
+                                                              "angolo"};
+    for (const BlockColumn& column : view.file.blocks.front().columns) {
+        const std::string name = lower_case(column.name);
+        const bool angle = std::ranges::any_of(
+            words, [&](std::string_view word) { return name.find(word) != std::string::npos; });
+        if (angle && column.quantity.empty() && !column.unit.empty() && is_unit(column.unit) &&
+            Unit(column.unit).same_dimension(Unit("rad")))
+            return fmt::format(
+                "No speed is computed from the column '{}': add a column 'Angular velocity "
+                "[rad/s]' "
+                "with the change of the angle over that of the time.",
+                column.name);
+    }
+    return "";
 }
 
 /// Adds a sentence to others, of which the last may end with a line to paste.
@@ -135,7 +170,9 @@ std::string missing_sentence(const FileView& view) {
     std::string text = fmt::format(
         "The file has no {}: steady shear with a solid fraction cannot be read from it.",
         fmt::join(view.missing, ", no "));
-    add_sentence(text, advice_on_missing(view));
+    if (const std::string advice = advice_on_missing(view); !advice.empty())
+        add_sentence(text, advice);
+    if (const std::string angle = angle_sentence(view); !angle.empty()) add_sentence(text, angle);
     constexpr std::size_t most = 4;  // of many columns in pascals, none is more likely than another
     for (const BlockColumn& column :
          std::span(view.candidates).first(std::min(most, view.candidates.size())))

@@ -15,6 +15,7 @@
 #include "data/files/text_file.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
+#include "data/recordings/stated_sample.h"
 #include "data/remarks/wording.h"
 #include "data/study/study_edit.h"
 #include "workflow/begun_tables.h"
@@ -49,14 +50,24 @@ bool lacks_torque(const FileView& view) {
     });
 }
 
+/// Comment on a value that stands above the table.
+std::string from_line(const StatedValue& stated) {
+    return fmt::format("from line {} of the file", stated.line);
+}
+
+Guess guessed_mass(const BlockFile& file) {
+    const auto mass = stated_sample(file).mass;
+    if (!mass) return {"20 g", "GUESS: weigh the beads"};
+    return {fmt::format("{:g} g", mass->value * 1e3), from_line(*mass)};
+}
+
 /// @param steady whether any recording of the study needs the mass of the beads
 std::string cell_text(const FileView& view, bool steady) {
     std::string text = "[cell]\n";
     if (states_radii(view)) {
         for (const auto& [key, stated] : {std::pair{"inner_radius", view.stated.inner_radius},
                                           std::pair{"outer_radius", view.stated.outer_radius}})
-            text += entry(key, {fmt::format("{:g} mm", stated->value * 1e3),
-                                fmt::format("from line {} of the file", stated->line)});
+            text += entry(key, {fmt::format("{:g} mm", stated->value * 1e3), from_line(*stated)});
     } else if (view.cell.inner_radius) {
         const char* const from = "from the ratios of the file's own stresses to torque or force";
         text +=
@@ -64,13 +75,13 @@ std::string cell_text(const FileView& view, bool steady) {
         text +=
             entry("outer_radius", {fmt::format("{:g} mm", *view.cell.outer_radius * 1e3), from});
     } else {
-        const char* const from = "GUESS: a common powder cell; the file does not show the radii";
+        const char* const from = "GUESS: a common powder cell; no radii were found in the file";
         text += entry("inner_radius", {"10.5 mm", from});
         text += entry("outer_radius", {"21.5 mm", from});
     }
     if (lacks_torque(view))
         text += entry("lever_arm", {"0.2 m", "GUESS: distance of the load cell from the axis"});
-    if (steady) text += entry("bead_mass", {"20 g", "GUESS: weigh the beads"});
+    if (steady) text += entry("bead_mass", guessed_mass(view.file));
     return text + "\n";
 }
 
@@ -246,14 +257,10 @@ void add_recordings(const std::vector<FileView>& views, std::map<std::string, st
     }
 }
 
-/// @param stated whether the names of file and test state it
-std::string liquid_content_text(double mass_ratio, bool stated) {
-    if (mass_ratio == 0) return "liquid_content = 0                # GUESS: dry\n";
-    return fmt::format(
-        "liquid_content = {:<15g} # GUESS: volume of water over volume of "
-        "glass, {}\n",
-        mass_ratio * glass_density / water_density,
-        stated ? "from the names of file and test" : "as for 1 % of the mass");
+std::string liquid_content_text(const LiquidGuess& liquid) {
+    if (liquid.value == 0)
+        return fmt::format("liquid_content = 0                # {}\n", comment_text(liquid.from));
+    return fmt::format("liquid_content = {:<15g} # {}\n", liquid.value, comment_text(liquid.from));
 }
 
 /// How study.toml states that a sheet or file is to be read.
@@ -271,23 +278,30 @@ bool states_any(const FileView& view, bool (*holds)(double)) {
 }
 
 /// Whether any file has dry grains, by its rows or else by its names.
-bool has_dry(const std::vector<FileView>& views, const std::vector<double>& mass_ratios) {
+bool has_dry(const std::vector<FileView>& views, const std::vector<LiquidGuess>& liquids) {
     for (std::size_t k = 0; k < views.size(); ++k) {
         const bool dry = states_contents(views[k])
                              ? states_any(views[k], [](double content) { return content == 0; })
-                             : mass_ratios[k] == 0;
+                             : liquids[k].value == 0;
         if (dry) return true;
     }
     return false;
 }
 
-std::string grains_text(const std::string& name, const std::string& texts, bool wet) {
+std::string grains_text(const FileView& view, bool wet) {
+    const StatedSample sample = stated_sample(view.file);
     std::string text = fmt::format(
         "# Begun by pendular import from {}.\n# Check every line marked GUESS: the file does not "
         "state it.\n\n[grains]\n",
-        comment_text(name));
-    text += entry("diameter", guessed_diameter(texts));
-    text += entry("density", {"2500 kg/m^3", "GUESS: glass"}) + "\n";
+        comment_text(file_to_open(view.file.file).filename().string()));
+    const auto& [diameter, density, mass] = sample;
+    text += entry("diameter", diameter ? Guess{fmt::format("{:g} um", diameter->value * 1e6),
+                                               from_line(*diameter)}
+                                       : guessed_diameter(texts_of(view)));
+    text += entry("density",
+                  density ? Guess{fmt::format("{:g} kg/m^3", density->value), from_line(*density)}
+                          : Guess{"2500 kg/m^3", "GUESS: glass"}) +
+            "\n";
     if (wet)
         text += "[liquid]\n" + entry("surface_tension", {"72.8 mN/m", "GUESS: water"}) +
                 entry("contact_angle", {"0 deg", "GUESS: the liquid wets the beads"}) + "\n";
@@ -314,17 +328,16 @@ std::string end_text(bool cell, bool all_wet) {
 
 std::map<std::string, std::string> begin_study(const std::vector<FileView>& views,
                                                const FileFormat& format) {
-    const std::filesystem::path path = file_to_open(views.front().file.file);
-    const std::string name = path.filename().string();
     for (const FileView& view : views)
         check_name(file_to_open(view.file.file));
-    std::vector<double> mass_ratios;
+    std::vector<LiquidGuess> liquids;
     for (const FileView& view : views)
-        mass_ratios.push_back(guessed_mass_ratio(texts_of(view)));
-    const bool wet = std::ranges::any_of(mass_ratios, [](double ratio) { return ratio > 0; }) ||
-                     std::ranges::any_of(views, [](const FileView& view) {
-                         return states_any(view, [](double content) { return content > 0; });
-                     });
+        liquids.push_back(guessed_liquid(view));
+    const bool wet =
+        std::ranges::any_of(liquids, [](const auto& each) { return each.value > 0; }) ||
+        std::ranges::any_of(views, [](const FileView& view) {
+            return states_any(view, [](double content) { return content > 0; });
+        });
     std::map<std::string, std::string> files;
     std::string entries;
     for (std::size_t k = 0; k < views.size(); ++k) {
@@ -332,19 +345,17 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
         const std::string suffix = views.size() == 1 ? "" : fmt::format("_{}", k + 1);
         const bool several_sheets =
             sheets_of_one_book(views, view) || (format.sheet.empty() && has_several_sheets(view));
-        std::string steady = steady_table(view, mass_ratios[k]);
-        entries += entries_text(
-            view, format_of_entry(view, format, several_sheets), suffix, !steady.empty(),
-            wet ? liquid_content_text(mass_ratios[k], stated_percent(texts_of(view)).has_value())
-                : "");
+        std::string steady = steady_table(view, liquids[k].mass_ratio());
+        entries += entries_text(view, format_of_entry(view, format, several_sheets), suffix,
+                                !steady.empty(), wet ? liquid_content_text(liquids[k]) : "");
         if (!view.loci.empty()) files[fmt::format("failure{}.csv", suffix)] = failure_table(view);
         if (!steady.empty()) files[fmt::format("steady{}.csv", suffix)] = std::move(steady);
     }
     if (entries.empty()) refuse_to_begin(views.front());
     const FileView* const cell = view_with_cell(views);
     const bool any_steady = std::ranges::any_of(views, has_steady_recording);
-    const bool dry = has_dry(views, mass_ratios);
-    files["study.toml"] = grains_text(name, texts_of(views.front()), wet) +
+    const bool dry = has_dry(views, liquids);
+    files["study.toml"] = grains_text(views.front(), wet) +
                           (cell ? cell_text(*cell, any_steady) : "") + entries +
                           end_text(cell != nullptr, !dry);
     add_recordings(views, files);

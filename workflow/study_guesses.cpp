@@ -11,6 +11,7 @@
 #include "data/files/sheet_path.h"
 #include "data/files/text_pattern.h"
 #include "data/quantities/number.h"
+#include "data/recordings/stated_sample.h"
 #include "workflow/file_views.h"
 
 namespace pendular {
@@ -31,7 +32,7 @@ std::string texts_of(const FileView& view) {
 Guess guessed_diameter(const std::string& texts) {
     static const TextPattern length(R"((\d+(?:[.,]\d+)?)\s*(mm|um|µm|μm)(?![A-Za-z]))");
     const auto found = length.first(texts);
-    if (!found) return {"500 um", "GUESS: the file does not state the diameter"};
+    if (!found) return {"500 um", "GUESS: no diameter was found in the file"};
     std::string number = found->parts[1];
     std::ranges::replace(number, ',', '.');
     return {fmt::format("{} {}", number, found->parts[2]),
@@ -89,6 +90,25 @@ bool named_wet(const std::string& texts) {
 
 double guessed_mass_ratio(const std::string& texts) {
     return named_wet(texts) ? stated_percent(texts).value_or(1) / 100 : 0;
+}
+
+LiquidGuess guessed_liquid(const FileView& view) {
+    const std::string texts = texts_of(view);
+    const double volume_per_mass = glass_density / water_density;
+    if (const auto stated = stated_liquid(view.file)) {
+        if (stated->by_mass)
+            return {stated->value * volume_per_mass,
+                    fmt::format("GUESS: volume of water over volume of glass, from {}, by mass",
+                                stated->from)};
+        return {stated->value,
+                fmt::format("GUESS: {} is volume of liquid over that of grains", stated->from)};
+    }
+    const double mass_ratio = guessed_mass_ratio(texts);
+    if (mass_ratio == 0) return {0, "GUESS: dry"};
+    return {mass_ratio * volume_per_mass,
+            fmt::format("GUESS: volume of water over volume of glass, {}",
+                        stated_percent(texts) ? "from the names of file and test"
+                                              : "as for 1 % of the mass")};
 }
 
 }  // namespace pendular

@@ -29,4 +29,16 @@ std::optional<double> stated_percent(const std::string& texts);
 /// grains.
 double guessed_mass_ratio(const std::string& texts);
 
+/// Liquid content for study.toml with a comment on its origin.
+struct LiquidGuess {
+    double value = 0;  ///< volume of liquid over volume of grains [1]
+    std::string from;
+    double mass_ratio() const { return value * water_density / glass_density; }
+};
+
+/// Liquid content that a file states in a column or above its table or, if it states none, that the
+/// names of file and test suggest.
+/// @throws InputError if the content changes within a recording
+LiquidGuess guessed_liquid(const FileView& view);
+
 }  // namespace pendular

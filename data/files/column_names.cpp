@@ -122,7 +122,8 @@ const std::vector<VendorName>& vendor_names() {
           "Esfuerzo de corte", "Esfuerzo de cizalla", "Tensión cortante", "Tensión de corte",
           "Sforzo tangenziale", "Tensione tangenziale", "Contrainte tangentielle",
           "Wall shear stress", "tau w", "τw", "Wandschubspannung", "Wandscherspannung",
-          "Contrainte de cisaillement à la paroi", "Tensión de cizalla en la pared",
+          "Contrainte de cisaillement à la paroi", "Contrainte de cisaillement pariétale",
+          "Contrainte pariétale", "Tensión de cizalla en la pared",
           "Tensione di taglio alla parete", "Shear wall stress",
           // At failure, as programs of shear testers call it.
           "Peak shear stress", "Failure shear stress", "Shear stress at failure",

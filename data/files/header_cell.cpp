@@ -12,6 +12,7 @@
 
 #include "data/files/column_names.h"
 #include "data/files/folded_name.h"
+#include "data/files/text_pattern.h"
 #include "data/quantities/number.h"
 #include "data/quantities/quantity.h"
 #include "data/quantities/units.h"
@@ -140,6 +141,14 @@ Marked leading_mark(std::string_view text) {
 }
 
 }  // namespace
+
+bool names_factor_of_numbers(std::string_view name) {
+    static const TextPattern before(
+        R"(^\s*\d[\d.,]*(?:[eE^][-+]?\d+)?\s*(?:×|x|X|\*|·|⋅|∙|•)\s*[^\d\s])");
+    static const TextPattern behind(R"((?:×|\*|·|⋅|/|÷|\sx|\sX)\s*\d[\d.,]*\s*$)");
+    constexpr std::size_t longest = 200;  // bytes; longer texts are no names
+    return name.size() <= longest && (before.first(name) || behind.first(name));
+}
 
 bool is_unit(std::string_view text) {
     if (text.empty()) return false;

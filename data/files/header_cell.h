@@ -35,6 +35,10 @@ ErrorMark bare_mark(const HeaderCell& cell);
 /// quantity, at the beginning ("sd of tau", "u(tau)", "Fehler der Schubspannung").
 HeaderCell parse_header_cell(std::string_view text);
 
+/// Whether a name has a factor before or behind it, such as "1000 × Torque" and "Couple/10": the
+/// numbers may have been multiplied by it, or are to be.
+bool names_factor_of_numbers(std::string_view name);
+
 /// Whether a text is a unit, such as "mN m"; an empty one is not.
 bool is_unit(std::string_view text);
 

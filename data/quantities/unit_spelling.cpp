@@ -34,6 +34,15 @@ constexpr std::pair<std::string_view, std::string_view> characters[] = {
     {"0,1 ", "0.1 "},  // "0,1 MPa" was once written for a bar
     // Abbreviations whose points would be products; in French, "mn" is a minute.
     {"r.p.m.", "rpm"},
+    {"r.p.m", "rpm"},
+    {" al minuto", "/min"},
+    {" por minuto", "/min"},
+    {" par minute", "/min"},
+    {" pro Minute", "/min"},
+    {" per minute", "/min"},
+    {"/1'", "/min"},
+    {"degrés", "deg"},
+    {"degré", "deg"},
     {"Umdr.", "turn"},
     {"Sek.", "s"},
     {"Std.", "h"},
@@ -68,31 +77,65 @@ constexpr std::pair<std::string_view, char> superscripts[] = {
 
 /// Spellings of units that UDUNITS does not know or misreads, with the spelling that UDUNITS reads.
 const std::map<std::string, std::string, std::less<>> words = {
-    {"deg", "arc_degree"}, {"rev", "turn"},
-    {"revs", "turn"},      {"tr", "turn"},
-    {"r", "turn"},         {"Upm", "turn/min"},
-    {"tour", "turn"},      {"tours", "turn"},
-    {"giri", "turn"},      {"Umdr", "turn"},
-    {"RPM", "rpm"},        {"rps", "turn/s"},
-    {"U", "turn"},         {"gf", "gram_force"},
-    {"dyn", "dyne"},       {"cP", "cpoise"},
-    {"mcm", "um"},         {"pct", "%"},
-    {"percent", "%"},      {"Pas", "Pa.s"},
-    {"mPas", "mPa.s"},     {"cc", "cm3"},
-    {"ccm", "cm3"},        {"radians", "radian"},
-    {"kgfcm", "kgf.cm"},   {"gfcm", "gram_force.cm"},
-    {"kp", "kgf"},         {"ozf", "(lbf/16)"},  // UDUNITS rounds the latter
-    {"vuelta", "turn"},    {"vueltas", "turn"},
-    {"Std", "h"},          {"Stunden", "h"},
-    {"Sek", "s"},          {"sek", "s"},
-    {"seg", "s"},          {"Min", "min"},
-    {"psf", "(lbf/ft^2)"}, {"giro", "turn"},
-    {"lbs", "lb"},         {"LBS", "lb"},
-    {"LB", "lb"},          {"LBF", "lbf"},
-    {"IN", "in"},          {"FT", "ft"},
-    {"inlbf", "in.lbf"},   {"lbfin", "lbf.in"},
-    {"ftlbf", "ft.lbf"},   {"lbfft", "lbf.ft"},
-    {"tf", "(1000.kgf)"},  {"Grad", "arc_degree"}};  // not a gigaradian
+    {"deg", "arc_degree"},
+    {"rev", "turn"},
+    {"revs", "turn"},
+    {"tr", "turn"},
+    {"r", "turn"},
+    {"Upm", "turn/min"},
+    {"tour", "turn"},
+    {"tours", "turn"},
+    {"giri", "turn"},
+    {"Umdr", "turn"},
+    {"RPM", "rpm"},
+    {"rps", "turn/s"},
+    {"U", "turn"},
+    {"gf", "gram_force"},
+    {"dyn", "dyne"},
+    {"cP", "cpoise"},
+    {"mcm", "um"},
+    {"pct", "%"},
+    {"percent", "%"},
+    {"Pas", "Pa.s"},
+    {"mPas", "mPa.s"},
+    {"cc", "cm3"},
+    {"ccm", "cm3"},
+    {"radians", "radian"},
+    {"kgfcm", "kgf.cm"},
+    {"gfcm", "gram_force.cm"},
+    {"kp", "kgf"},
+    {"ozf", "(lbf/16)"},  // UDUNITS rounds the latter
+    {"vuelta", "turn"},
+    {"vueltas", "turn"},
+    {"Std", "h"},
+    {"Stunden", "h"},
+    {"Sek", "s"},
+    {"sek", "s"},
+    {"seg", "s"},
+    {"Min", "min"},
+    {"psf", "(lbf/ft^2)"},
+    {"giro", "turn"},
+    {"lbs", "lb"},
+    {"LBS", "lb"},
+    {"LB", "lb"},
+    {"LBF", "lbf"},
+    {"IN", "in"},
+    {"FT", "ft"},
+    {"inlbf", "in.lbf"},
+    {"lbfin", "lbf.in"},
+    {"ftlbf", "ft.lbf"},
+    {"lbfft", "lbf.ft"},
+    {"tf", "(1000.kgf)"},
+    {"Grad", "arc_degree"},
+    {"gradi", "arc_degree"},
+    {"grados", "arc_degree"},
+    {"grado", "arc_degree"},
+    {"degres", "arc_degree"},
+    {"minuto", "min"},
+    {"minuti", "min"},
+    {"minutos", "min"},
+    {"secondo", "s"},
+    {"segundo", "s"}};  // not a gigaradian
 
 /// Words for a revolution in Polish, Czech, Dutch, Swedish, Danish, Norwegian, Portuguese,
 /// Romanian, Turkish, Hungarian and Finnish, of which none is another unit, and for a minute.
@@ -103,28 +146,15 @@ constexpr std::array<std::string_view, 15> revolutions = {
 constexpr std::array<std::string_view, 4> minutes = {"dak", "dk", "dakika", "perc"};
 
 /// Spellings in the wrong case that UDUNITS reads as another unit, with the unit that is meant.
-const std::map<std::string, std::string, std::less<>> case_traps = {{"pa", "Pa"},
-                                                                    {"kpa", "kPa"},
-                                                                    {"mpa", "MPa' or 'mPa"},
-                                                                    {"Mpa", "MPa"},
-                                                                    {"MPA", "MPa"},
-                                                                    {"hpa", "hPa"},
-                                                                    {"KPa", "kPa"},
-                                                                    {"PA", "Pa"},
-                                                                    {"gpa", "GPa"},
-                                                                    {"Gpa", "GPa"},
-                                                                    {"kn", "kN"},
-                                                                    {"mn", "mN"},
-                                                                    {"KG", "kg"},
-                                                                    {"Kg", "kg"},
-                                                                    {"MM", "mm"},
-                                                                    {"Mm", "mm"},
-                                                                    {"NM", "N m"},
-                                                                    {"MNm", "mN m"},
-                                                                    {"MN", "mN' or '10^6 N"},
-                                                                    {"Ms", "ms"},
-                                                                    {"Mrad", "mrad"},
-                                                                    {"Mbar", "mbar"}};
+const std::map<std::string, std::string, std::less<>> case_traps = {
+    {"pa", "Pa"},   {"kpa", "kPa"},   {"mpa", "MPa' or 'mPa"},
+    {"Mpa", "MPa"}, {"MPA", "MPa"},   {"hpa", "hPa"},
+    {"KPa", "kPa"}, {"Kpa", "kPa"},   {"KPA", "kPa"},
+    {"PA", "Pa"},   {"gpa", "GPa"},   {"Gpa", "GPa"},
+    {"kn", "kN"},   {"mn", "mN"},     {"KG", "kg"},
+    {"Kg", "kg"},   {"MM", "mm"},     {"Mm", "mm"},
+    {"NM", "N m"},  {"MNm", "mN m"},  {"MN", "mN' or '10^6 N"},
+    {"Ms", "ms"},   {"Mrad", "mrad"}, {"Mbar", "mbar"}};
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos;
@@ -353,8 +383,10 @@ std::string with_weights(std::string_view spelling) {
         for (char& c : small)
             c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         const auto found = weights.find(small);
-        any |= found != weights.end();
-        result += found == weights.end() ? word : found->second;
+        // A "t" alone is more often a time.
+        const bool tonnes = word == "t" && spelling.substr(i).starts_with('/');
+        any |= tonnes || found != weights.end();
+        result += tonnes ? "tf" : found == weights.end() ? word : found->second;
     }
     return any ? result : "";
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <stdexcept>
 #include <string_view>
 
 #include "data/files/column_names.h"
@@ -13,9 +14,12 @@
 #include "data/files/formats/layouts.h"
 #include "data/files/header_cell.h"
 #include "data/quantities/number.h"
+#include "data/quantities/quantity.h"
+#include "data/quantities/units.h"
 #include "data/recordings/column_kinds.h"
 #include "data/recordings/columns_by_unit.h"
 #include "data/recordings/filled_down.h"
+#include "data/recordings/findings/detectors.h"
 #include "data/recordings/interval_checks.h"
 #include "data/recordings/point_checks.h"
 #include "data/recordings/point_texts.h"
@@ -73,6 +77,13 @@ std::vector<std::string_view> first_missing(const std::string& unit, const FileV
     return found;
 }
 
+/// Whether a mass is written where its weight is one of the quantity: "kg" for "kgf".
+bool fits_as_weight(const std::string& unit, std::string_view quantity_name) {
+    if (unit.empty() || unit_fits(unit, quantity_name)) return false;
+    const std::string weight = weight_meant(unit);
+    return !weight.empty() && unit_fits(weight, quantity_name);
+}
+
 /// Missing quantities of which a column has the unit or, if it has that of none, the name.
 std::vector<std::string_view> missing_quantities_of(const BlockColumn& column,
                                                     const FileView& view) {
@@ -81,8 +92,13 @@ std::vector<std::string_view> missing_quantities_of(const BlockColumn& column,
     for (const Needed& needed : needed_quantities()) {
         if (std::ranges::find(view.missing, needed.name) == view.missing.end()) continue;
         const auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
+<<<<<<< HEAD
             return name != "lever_force" && unit_fits(column.unit, name) &&
                    !names_another(column.name, name);
+=======
+            return name != "lever_force" &&
+                   (unit_fits(column.unit, name) || fits_as_weight(column.unit, name));
+>>>>>>> h55r
         });
         if (fits != needed.quantities.end()) by_unit.push_back(*fits);
         if (!named.shared &&
@@ -98,17 +114,39 @@ std::vector<std::string_view> missing_quantities_of(const BlockColumn& column,
     return {};
 }
 
+/// Unit at the end of a name, as programs write it, "F_daN" and "rpm"; that of a weight for a mass.
+/// Empty if there is none of a missing quantity.
+std::string unit_in_name(const std::string& name, const FileView& view) {
+    const std::size_t bar = name.rfind('_');
+    std::string unit = bar == std::string::npos ? name : name.substr(bar + 1);
+    if (unit == "millis") unit = "ms";  // of an Arduino
+    if (unit == "micros") unit = "us";
+    // A letter alone is a symbol: "h", "T".
+    if (unit.size() < 2 && bar == std::string::npos) return "";
+    for (const std::string& each : {unit, weight_meant(unit)})
+        if (is_unit(each) && !missing_quantities_of({"", each, ""}, view).empty()) return each;
+    return "";
+}
+
 /// Unused columns in the unit of a missing quantity, or with its name, or in an unknown unit.
 std::vector<BlockColumn> candidates(const FileView& view) {
     std::vector<BlockColumn> found;
     if (!is_own_table(view.file.layout)) return found;
     const Block& block = view.file.blocks.front();
     for (std::size_t i = 0; i < block.columns.size(); ++i) {
+<<<<<<< HEAD
         const BlockColumn& column = block.columns[i];
         const bool errors = bare_mark({column.name, column.unit}) != ErrorMark::none;
         if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty() ||
             errors)
             continue;
+=======
+        BlockColumn column = block.columns[i];
+        if (!column.quantity.empty() || !column.set_point_of.empty()) continue;
+        if (column.unit.empty() && holds_numbers(block, i))
+            column.unit = unit_in_name(column.name, view);
+        if (column.unit.empty()) continue;
+>>>>>>> h55r
         std::vector<std::string_view> possible = missing_quantities_of(column, view);
         if (possible.empty() && !is_unit(column.unit) && holds_numbers(block, i))
             possible = first_missing(column.unit, view);
@@ -116,6 +154,22 @@ std::vector<BlockColumn> candidates(const FileView& view) {
             found.push_back({column.name, column.unit, std::string(possible.front())});
     }
     return found;
+}
+
+/// Fault in the unit of the first column with the name of a quantity; empty if there is none.
+std::string wrong_unit(const Block& block) {
+    for (const BlockColumn& column : block.columns) {
+        const std::string_view named = meaning_of_column(column.name, "").quantity;
+        if (column.unit.empty() || named.empty() || unit_fits(column.unit, named)) continue;
+        std::string why;
+        try {
+            why = wrong_dimension(Unit(column.unit), Unit(quantity(named).unit));
+        } catch (const std::invalid_argument& error) {
+            why = error.what();
+        }
+        return fmt::format("column '{} [{}]': {}", column.name, column.unit, why);
+    }
+    return "";
 }
 
 /// @throws InputError if no column of a file is read
@@ -129,6 +183,9 @@ void refuse_unused_file(const BlockFile& file) {
                                                 : fmt::format("{} [{}]", column.name, column.unit));
         }
     }
+    if (const std::string why = wrong_unit(file.blocks.front()); !why.empty())
+        throw InputError({file.file, file.blocks.front().table.header.line},
+                         "no column is read: " + why);
     constexpr std::size_t most = 8;
     const bool more = names.size() > most;
     if (more) names.resize(most);
@@ -258,6 +315,9 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     FileView view;
     view.file = read_blocks(path, format);
     if (format.columns.empty()) view.by_unit = columns_by_unit(view.file);
+    std::erase_if(view.by_unit, [](const auto& each) {
+        return names_factor_of_numbers(parse_header_cell(each.second).name);
+    });
     if (!view.by_unit.empty()) {
         FileFormat named = format;
         named.named_columns.insert(view.by_unit.begin(), view.by_unit.end());
@@ -278,6 +338,10 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     append(view.findings, check_file(view.file, view.series, view.cell));
     append(view.findings, far_values(view.file));
     append(view.findings, cycles_in_one_interval(view.file, view.series));
+    for (std::size_t i = 0; i < view.series.size(); ++i)
+        if (view.roles[i].role == "steady")
+            if (auto found = saturated_shear(view.file.file, view.series[i]))
+                view.findings.push_back(*std::move(found));
     view.stated = stated_cell(view.file);
     if (study_cell) append(view.findings, header_against_study(view.file, *study_cell));
     view.loci = yield_loci(view.file, view.series, view.roles, format.prorate);

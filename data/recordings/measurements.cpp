@@ -10,7 +10,10 @@
 #include <tuple>
 #include <utility>
 
+#include "data/files/column_names.h"
+#include "data/files/file_access.h"
 #include "data/files/formats/layouts.h"
+#include "data/files/header_cell.h"
 #include "data/files/sheet_path.h"
 #include "data/recordings/checks.h"
 #include "data/recordings/copies.h"
@@ -19,6 +22,7 @@
 #include "data/recordings/plausibility.h"
 #include "data/recordings/recording.h"
 #include "data/recordings/stated_cell.h"
+#include "data/recordings/stated_sample.h"
 #include "data/recordings/steady_state.h"
 #include "data/recordings/steps.h"
 
@@ -89,11 +93,38 @@ struct FilesBefore {
     InsideRecordings inside;
 };
 
+/// Checks that the study states a liquid content where a column of a recording has one: without it,
+/// wet grains would count as dry.
+/// @throws InputError if it does not, or if the content changes within the file
+void check_liquid_column(const BlockFile& file, const Source& source) {
+    const auto column = liquid_in_column(file);
+    if (!column || column->value == 0 || source.liquid_content) return;
+    throw InputError(source.position,
+                     fmt::format("{} has the liquid content {:.4g} in {}; state liquid_content in "
+                                 "this entry, the volume of liquid over that of grains, and add "
+                                 "[liquid] to study.toml",
+                                 std::filesystem::path(file.file).filename().string(),
+                                 column->value, column->from));
+}
+
+/// Whether a column that a recording does not need has liquid contents.
+bool has_liquid_column(const Recording& recording) {
+    return std::ranges::any_of(recording.unused_columns, [](const std::string& header) {
+        const HeaderCell parts = parse_header_cell(header);
+        return meaning_of_column(parts.name, parts.unit).quantity == "liquid_content";
+    });
+}
+
 /// Reads a recording, with remarks on what its file says against study.toml and against its own set
 /// points.
-Recording read_checked(const std::filesystem::path& path, const FileFormat& format,
+Recording read_checked(const std::filesystem::path& path, const Source& source,
                        const AnnularCell& cell, std::vector<Remark>& found) {
+    const FileFormat& format = source.format;
     if (auto recording = quick_recording(path, format)) {
+        std::error_code unknown;
+        if (has_liquid_column(*recording) &&
+            std::filesystem::file_size(path, unknown) <= largest_table)
+            check_liquid_column(read_blocks(path, format), source);
         if (recording->averaged_rows > 1)
             found.push_back({.kind = Kind::averaged_rows,
                              .files = {recording->file},
@@ -102,6 +133,7 @@ Recording read_checked(const std::filesystem::path& path, const FileFormat& form
         return *std::move(recording);
     }
     const BlockFile file = read_blocks(path, format);
+    check_liquid_column(file, source);
     Recording recording = recording_of(file, format);
     append(found, header_against_study(file, cell));
     append(found, missed_set_points(file));
@@ -119,7 +151,7 @@ Recording recording_without_faulty_rows(const std::filesystem::path& file, const
         append(remarks, decide(std::move(found), keep_implausible));
     };
     std::vector<Remark> of_file;
-    Recording recording = read_checked(file, source.format, cell, of_file);
+    Recording recording = read_checked(file, source, cell, of_file);
     say(std::move(of_file));
     fill_from_stresses(recording, cell);
     if (source.format.repair) {

@@ -3,14 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
-#include <stdexcept>
+#include <string_view>
 
-#include "data/files/header_cell.h"
-#include "data/quantities/number.h"
-#include "data/quantities/units.h"
+#include "data/files/folded_name.h"
 
 namespace pendular {
 namespace {
@@ -28,53 +24,89 @@ const std::vector<CellFact>& cell_facts() {
         {&StatedCell::inner_radius,
          "m",
          1,
-         {"inner radius", "inside radius", "internal radius", "cup inner radius", "ri",
-          "rayon interieur", "rayon intérieur", "rayon interne", "innenradius", "innerer radius"}},
+         {"inner radius", "inside radius", "internal radius", "cup inner radius", "inner r", "ri",
+          "r in", "r int", "rayon intérieur", "rayon interne", "rayon int", "Innenradius",
+          "innerer Radius", "radio interior", "radio interno", "radio int", "raggio interno",
+          "raggio int", "R1"}},
         {&StatedCell::outer_radius,
          "m",
          1,
-         {"outer radius", "outside radius", "external radius", "cup outer radius", "re", "ro",
-          "rayon exterieur", "rayon extérieur", "rayon externe", "außenradius", "aussenradius",
-          "äußerer radius", "Äußerer radius"}},
+         {"outer radius",
+          "outside radius",
+          "external radius",
+          "cup outer radius",
+          "outer r",
+          "re",
+          "ro",
+          "ra",
+          "r out",
+          "r ext",
+          "rayon extérieur",
+          "rayon externe",
+          "rayon ext",
+          "Außenradius",
+          "Aussenradius",
+          "äußerer Radius",
+          "radio exterior",
+          "radio externo",
+          "radio ext",
+          "raggio esterno",
+          "raggio est",
+          "R2"}},
         {&StatedCell::inner_radius,
          "m",
          0.5,
-         {"inner diameter", "inside diameter", "internal diameter", "di", "diametre interieur",
-          "diamètre intérieur", "diamètre interne", "innendurchmesser"}},
+         {"inner diameter",
+          "inside diameter",
+          "internal diameter",
+          "di",
+          "ø int",
+          "ø intérieur",
+          "ø interno",
+          "ø interior",
+          "ø innen",
+          "øi",
+          "diamètre intérieur",
+          "diamètre interne",
+          "diamètre int",
+          "diam int",
+          "Innendurchmesser",
+          "diámetro interior",
+          "diámetro interno",
+          "diámetro int",
+          "diametro interno",
+          "diametro int"}},
         {&StatedCell::outer_radius,
          "m",
          0.5,
-         {"outer diameter", "outside diameter", "external diameter", "de", "do",
-          "diametre exterieur", "diamètre extérieur", "diamètre externe", "außendurchmesser",
-          "aussendurchmesser"}},
+         {"outer diameter",
+          "outside diameter",
+          "external diameter",
+          "de",
+          "do",
+          "da",
+          "ø ext",
+          "ø extérieur",
+          "ø esterno",
+          "ø exterior",
+          "ø est",
+          "ø außen",
+          "øe",
+          "øo",
+          "diamètre extérieur",
+          "diamètre externe",
+          "diamètre ext",
+          "diam ext",
+          "Außendurchmesser",
+          "Aussendurchmesser",
+          "diámetro exterior",
+          "diámetro externo",
+          "diámetro ext",
+          "diametro esterno",
+          "diametro est"}},
         {&StatedCell::stress_per_torque, "Pa/(N m)", 1, {"stress constant"}},
         {&StatedCell::stress_per_force, "Pa/N", 1, {"normal stress constant"}}};
     return all;
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
-
-/// Value of a fact in SI units; empty if it is no positive number with a unit.
-std::optional<double> value_of(std::string text, const std::string& unit_of_key, const char* unit,
-                               const NumberStyle& style) {
-    // TRIOS writes a stress per torque as "Pa/N.m", which reads as (Pa/N) m elsewhere.
-    if (const std::size_t at = text.find("Pa/N.m"); at != std::string::npos)
-        text.replace(at, 6, "Pa/(N m)");
-    // The number comes first, whether a unit follows or not.
-    const std::size_t end = std::min(text.find(' '), text.size());
-    text = rewritten(text.substr(0, end), style) + text.substr(end);
-    if (parse_number(text) && !unit_of_key.empty()) text += " " + unit_of_key;
-    try {
-        const double value = quantity_in_si(text, Unit(unit));
-        return value > 0 && std::isfinite(value) ? std::optional(value) : std::nullopt;
-    } catch (const std::invalid_argument&) {
-        return std::nullopt;
-    }
 }
 
 /// Constants of a cell with their names.
@@ -111,14 +143,14 @@ std::vector<Remark> compare(const BlockFile& file, const StatedCell& stated,
 
 StatedCell stated_cell(const BlockFile& file) {
     StatedCell cell;
-    for (const Fact& fact : file.facts) {
-        const HeaderCell key = parse_header_cell(fact.key);
-        const std::string name = lower(key.name);
+    for (const StatedFact& fact : stated_facts(file)) {
         for (const CellFact& each : cell_facts()) {
-            if (cell.*each.member || std::ranges::find(each.names, name) == each.names.end())
-                continue;
-            if (const auto value = value_of(fact.value, key.unit, each.unit, file.numbers))
-                cell.*each.member = {each.factor * *value, fact.line, fact.key, fact.value};
+            const auto is_name = [&](std::string_view name) {
+                return folded_name(name) == fact.name;
+            };
+            if (cell.*each.member || std::ranges::none_of(each.names, is_name)) continue;
+            if (const auto value = positive_value(fact, each.unit, file.numbers))
+                cell.*each.member = {each.factor * *value, fact.line, fact.key, fact.text};
         }
     }
     return cell;

@@ -6,16 +6,9 @@
 
 #include "data/annular_cell.h"
 #include "data/files/formats/block_file.h"
+#include "data/recordings/stated_facts.h"
 
 namespace pendular {
-
-/// Number in the header of a file.
-struct StatedValue {
-    double value = 0;  ///< in SI units
-    int line = 0;      ///< from 1
-    std::string key;   ///< as in the file, such as "Inner radius"
-    std::string text;  ///< number and unit as in the file, such as "21 mm"
-};
 
 /// Radii of the annular cell and ratios of stress to torque and force that the header of a file
 /// states; empty where it does not.
@@ -25,7 +18,7 @@ struct StatedCell {
     std::optional<StatedValue> stress_per_force;            ///< [1/m^2]
 };
 
-/// Returns what the header states of the cell, with keys in English, French or German. Numbers that
+/// Returns what the header states of the cell, with names in five languages. Numbers that
 /// are not positive or have no unit are left out.
 StatedCell stated_cell(const BlockFile& file);
 

@@ -127,10 +127,11 @@ bool begins_with_any(std::string_view word, const Parts& parts) {
 
 /// Words for wall friction that are written together, or apart with nothing between them.
 bool names_wall_friction_jointly(std::string_view text) {
-    constexpr std::array<std::string_view, 15> names = {
-        "wallfriction", "wallyield",   "wandreibung",  "wandfließ",   "wandfliess",
-        "wandwrijving", "wandfrictie", "väggfriktion", "vægfriktion", "veggfriksjon",
-        "falisúrlódás", "seinäkitka",  "duvarsürtün",  "壁面摩擦",    "壁摩擦"};
+    constexpr std::array<std::string_view, 16> names = {
+        "wallcoupon",   "wallfriction", "wallyield",    "wandreibung",
+        "wandfließ",    "wandfliess",   "wandwrijving", "wandfrictie",
+        "väggfriktion", "vægfriktion",  "veggfriksjon", "falisúrlódás",
+        "seinäkitka",   "duvarsürtün",  "壁面摩擦",     "壁摩擦"};
     std::string joined;
     for (const std::string& word : words_of(text))
         joined += word;
@@ -146,16 +147,21 @@ bool names_wall_friction(std::string_view text) {
                                     "wrijving", "frictie",    "friktion", "friksjon",   "tření",
                                     "reibung",  "sürtünme"};
     static const Parts between = {
-        "a",  "à",   "al",  "alla",  "an",  "at", "au",    "com", "con",   "contra", "contre",
-        "da", "de",  "del", "della", "der", "di", "en",    "il",  "in",    "l",      "la",
-        "le", "met", "mit", "na",    "o",   "on", "sulla", "sur", "tegen", "the",    "une"};
-    static const Parts walls = {"wall", "wand", "paroi", "pared", "parete",
-                                "ścia", "stěn", "vägg",  "væg",   "vegg"};
+        "a",       "à",      "al",  "alla",  "an",  "at",     "au",     "com",    "con",
+        "contra",  "contre", "ai",  "alle",  "aux", "contro", "poudre", "powder", "pulver",
+        "polvere", "polvo",  "da",  "de",    "del", "della",  "der",    "di",     "en",
+        "il",      "in",     "l",   "la",    "le",  "met",    "mit",    "na",     "o",
+        "on",      "sulla",  "sur", "tegen", "the", "une"};
+    static const Parts walls = {"wall",   "wand", "paroi", "pared", "paret", "pariét",
+                                "pariet", "ścia", "stěn",  "vägg",  "væg",   "vegg"};
+    // ASTM and testers of powders abbreviate the wall friction test.
+    const std::vector<std::string> all = words_of(text);
+    if (std::ranges::find(all, "wft") != all.end()) return true;
     if (names_wall_friction_jointly(text)) return true;
     bool of_friction = false;
     std::string word;
     for (const char c : lower_case(text) + " ") {
-        if (std::string_view(" _-'").find(c) == std::string_view::npos) {
+        if (std::string_view(" _-'/").find(c) == std::string_view::npos) {
             word += c;
             continue;
         }
@@ -179,7 +185,8 @@ bool is_of_wall(const BlockColumn& column) {
     const std::vector<std::string> words = words_of(column.name);
     for (std::size_t i = 0; i < words.size(); ++i) {
         // German joins words: "Wandschubspannung".
-        if (std::ranges::find(names, words[i]) != names.end() || words[i].starts_with("wand"))
+        if (std::ranges::find(names, words[i]) != names.end() || words[i].starts_with("wand") ||
+            words[i].starts_with("pariét"))
             return true;
         if (i + 1 < words.size() && words[i + 1] == "w" &&
             std::ranges::find(symbols, words[i]) != symbols.end())

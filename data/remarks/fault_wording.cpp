@@ -59,9 +59,10 @@ std::vector<Group> groups_of(const std::vector<Remark>& faults, bool all) {
 }
 
 std::string with_unit(const std::string& quantity, double value) {
-    const bool force = quantity == "normal_force";
-    const char* const unit = force ? "N" : quantity == "height" ? "mm" : "mN m";
-    const double shown = force ? value : 1e3 * value;
+    const bool force = quantity == "normal_force" || quantity == "lever_force";
+    const bool stress = quantity == "shear_stress";
+    const char* const unit = force ? "N" : stress ? "Pa" : quantity == "height" ? "mm" : "mN m";
+    const double shown = force || stress ? value : 1e3 * value;
     return std::abs(shown) < 100 ? fmt::format("{:.2g} {}", shown, unit)
                                  : fmt::format("{:.0f} {}", shown, unit);
 }
@@ -108,10 +109,12 @@ std::string size_text(const Group& group) {
 
 std::string saturation_text(const Group& group) {
     const Remark& first = *group.front();
+    // Of a file that is not read as a study, the rows of an interval are meant.
+    const std::string place = first.step > 0 ? places(group) : file_name_of(first.files.front());
     return fmt::format(
         "Saturation: the {} stands at its largest value, {}, in {:.0f} % of the rows of {}. {}",
         words_for_quantity(first.quantity), with_unit(first.quantity, first.size),
-        100 * usual(group, &Remark::relative), places(group),
+        100 * usual(group, &Remark::relative), place,
         first.corrected ? "A reading with more than 1 % of such rows is not used."
                         : "The true values are larger.");
 }
@@ -310,6 +313,8 @@ std::string done_about(const Remark& fault) {
                 "Here the {} of these rows is used, not the {}; a study sets these rows aside, or "
                 "with repair = true takes torques from shear stresses.",
                 stress_for(fault.quantity), words_for_quantity(fault.quantity));
+        case Kind::saturation:
+            return "The true values may be larger.";
         case Kind::swapped_columns:
             return "Correct the header or state 'columns' in study.toml; nothing was changed.";
         case Kind::declared_rows:

@@ -39,11 +39,21 @@ const char* likely_cause(Kind kind) {
     }
 }
 
+/// Number with two significant digits, or as many as tell it from a limit.
+std::string apart_from(double number, double limit) {
+    const std::string other = fmt::format("{:g}", limit);
+    std::string text;
+    for (int digits = 2; digits <= 6; ++digits)
+        if (text = fmt::format("{:.{}g}", number, digits); text != other) break;
+    return text;
+}
+
 std::string strain_text(const char* what, const Remark& step) {
     return fmt::format(
-        "{} covers a strain of {:.2g}, steady shear takes {:g} (least_strain in [import]); it "
+        "{} covers a strain of {}, steady shear takes {:g} (least_strain in [import]); it "
         "looks like {}, unless the angular velocity is in another unit",
-        what, step.size, step.limit, likely_cause(step.because.front().kind));
+        what, apart_from(step.size, step.limit), step.limit,
+        likely_cause(step.because.front().kind));
 }
 
 std::string step_text(const Remark& step) {

@@ -233,6 +233,75 @@ TEST(BegunStudy, HasALiquidWhereAFileIsCalledWet) {
     }
 }
 
+/// Wet grains never count as dry for a column that nobody asks for.
+TEST(BegunStudy, HasTheLiquidContentOfAColumnOrOfALineAbove) {
+    const TemporaryFolder folder;
+    const auto recording = [](const std::string& above, const std::string& cells) {
+        std::string text = above + "Time [s],Torque [mN m],Normal force [N],Gap [mm],Speed [rpm]" +
+                           (cells.empty() ? "" : ",Liquid content [%]") + "\n";
+        for (int i = 0; i < 30; ++i)
+            text += fmt::format("{},2{},20,6.2{},5{}\n", i, i % 7, i % 3, cells);
+        return text;
+    };
+    const std::string study = (folder.path() / "study").string();
+    const auto begun = [&](const std::string& text) {
+        std::filesystem::remove_all(study);
+        const auto file = folder.write("glass.csv", text);
+        EXPECT_EQ(run_pendular("import " + file.string() + " --study " + study).code, 0);
+        return content_of(study + "/study.toml");
+    };
+    const std::string column = begun(recording("", ",1"));
+    EXPECT_THAT(column, AllOf(HasSubstr("\n[liquid]\n"), HasSubstr("\nliquid_content = 0.01 ")));
+    EXPECT_THAT(begun(recording("Teneur en liquide : 2 %\n\n", "")),
+                AllOf(HasSubstr("\nliquid_content = 0.02 "), HasSubstr("fit_to = \"all\"")));
+    EXPECT_THAT(begun(recording("Water content: 2 %\n\n", "")),
+                HasSubstr("\nliquid_content = 0.05 "));
+    const std::string dry = begun(recording("Bead diameter: 1 mm\nBead mass: 120 g\n\n", ",0"));
+    EXPECT_THAT(dry, AllOf(HasSubstr("diameter = \"1000 um\""), HasSubstr("bead_mass = \"120 g\""),
+                           Not(HasSubstr("\n[liquid]"))));
+    // A study that leaves the content out is refused.
+    begun(recording("", ",1"));
+    folder.write("study/study.toml", dry);
+    const Outcome refused = run_pendular("import " + study);
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("has the liquid content 0.01 in the column"));
+}
+
+/// Columns without a unit of their own, or with a mass for a force, are named with the line to
+/// write; a factor beside a name is why its column is not read.
+TEST(ImportFile, NamesColumnsThatMayBeWhatIsMissing) {
+    const TemporaryFolder folder;
+    const auto told = [&](const std::string& header) {
+        std::string text = header + "\n";
+        for (int i = 0; i < 30; ++i)
+            text += fmt::format("{};0.95;5.0{};2{}.1;12.0{}\n", i, i % 7, i % 5, i % 3);
+        return run_pendular("import " + folder.write("t.csv", text).string()).output;
+    };
+    EXPECT_THAT(told("millis;rpm;load_g;torque_mNm;gap_mm"),
+                AllOf(HasSubstr("columns = { time = \"millis [ms]\" }"),
+                      HasSubstr("columns = { rotational_speed = \"rpm [rpm]\" }"),
+                      HasSubstr("columns = { normal_force = \"load_g [gf]\" }"),
+                      Not(HasSubstr("Export these columns too"))));
+    EXPECT_THAT(told("t_us;n_tr_min;F_daN;C_Nm;e_mm"),
+                AllOf(HasSubstr("columns = { normal_force = \"F_daN [daN]\" }"),
+                      HasSubstr("columns = { torque = \"C_Nm [Nm]\" }"),
+                      HasSubstr("columns = { height = \"e_mm [mm]\" }")));
+    EXPECT_THAT(told("Tempo (s);Speed (rpm);Carico (kg);Coppia (mNm);Altezza (mm)"),
+                AllOf(HasSubstr("did you mean 'kgf'?"),
+                      HasSubstr("columns = { normal_force = \"Carico [kgf]\" }")));
+    EXPECT_THAT(told("Time [s];Angle [°];Normal force [N];Torque [mNm];Gap [mm]"),
+                HasSubstr("No speed is computed from the column 'Angle'"));
+    EXPECT_THAT(told("Time [s];Speed [rpm];Normal force [N];1000 × Couple [mNm];Gap [mm]"),
+                HasSubstr("Column '1000 × Couple [mNm]' is not used, since its name has a factor"));
+    const Outcome refused = run_pendular(
+        "import " + folder
+                        .write("s.csv",
+                               "Contrainte normale [kg/cm²];Contrainte de cisaillement "
+                               "[kg/cm²]\n1;0.6\n2;1.2\n3;1.8\n4;2.3\n")
+                        .string());
+    EXPECT_THAT(refused.errors, HasSubstr("did you mean 'kgf/cm²'?"));
+}
+
 std::string wall_points(double adhesion, double noise) {
     std::string text = "Wall normal stress [Pa],Wall shear stress [Pa]\n";
     for (const int k : {1, 2, 3, 4})

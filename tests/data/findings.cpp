@@ -218,6 +218,11 @@ TEST(Saturation, IsNoSmoothPeakNoCoarseColumnAndNoSpike) {
     for (std::size_t k = 100; k < 1300; k += 100)
         spiked.torque[k] *= 5;
     EXPECT_THAT(saturations(spiked, recorded_steps(spiked)), IsEmpty());
+    // An overflow of the converter, three times for one row.
+    Recording equal = ordinary_recording("equal.csv", 1);
+    for (const std::size_t k : {100u, 300u, 500u})
+        equal.torque[k] = 9.99;
+    EXPECT_THAT(saturations(equal, recorded_steps(equal)), IsEmpty());
 }
 
 TEST(StickSlip, IsASawtoothOfTheTorque) {

@@ -97,8 +97,10 @@ TEST(PowerOfTen, StandsInTheHeaderOfAColumn) {
 /// Behind a name, a factor may be one of the quantity or of its numbers.
 TEST(PowerOfTen, BehindANameIsNotGuessed) {
     const TemporaryFolder folder;
-    for (const char* const torque : {"Torque × 10³ [N m]", "Torque x1000 [N m]", "Torque·10³ [N m]",
-                                     "10³ Torque [N m]", "Torque*10^3 / N m"}) {
+    for (const char* const torque :
+         {"Torque × 10³ [N m]", "Torque x1000 [N m]", "Torque·10³ [N m]", "10³ Torque [N m]",
+          "Torque*10^3 / N m", "1000 × Couple [N·m]", "1000 x Torque [N m]", "10 × Couple [mN·m]",
+          "1000·Couple [N·m]", "Couple/10 [mN·m]", "Couple ÷ 10 [mN·m]"}) {
         const FileView view = view_of_file(
             folder.write("t.csv", "Time [s]," + std::string(torque) +
                                       ",Normal force [N],Gap [mm],Speed [rpm]\n0,15,12,6.2,2\n"

@@ -2,6 +2,7 @@
 #include "data/recordings/test_kinds.h"
 
 #include <cmath>
+#include <tuple>
 
 #include "data/recordings/file_view.h"
 #include "data/recordings/recording.h"
@@ -176,6 +177,52 @@ TEST(LinearYieldLocus, HasErrorsFromTheScatterOfItsPoints) {
     EXPECT_GT(locus.errors->major_principal_stress, 0);
     EXPECT_GT(locus.errors->flowability, 0);
     EXPECT_FALSE(linear_yield_locus({0, 1000, 2000}, {101, 599, 1101}, {}).errors);
+}
+
+/// Ten drops far beyond the noise are a sawtooth, though ten sudden changes of noise in one sense
+/// are no rare event.
+TEST(StickSlipTest, IsCertainWithFewDrops) {
+    const auto saw = [](int period, double least, double greatest, int rows) {
+        IntervalSeries series;
+        for (int i = 0; i < rows; ++i) {
+            series.time.push_back(i);
+            series.torque.push_back(least + (greatest - least) * (i % period) / period +
+                                    2e-4 * std::sin(i * 12.9898));
+        }
+        return series;
+    };
+    for (const auto& [period, least, greatest, rows] :
+         {std::tuple(40, 0.04, 0.08, 400), std::tuple(100, 0.05, 0.075, 1000),
+          std::tuple(30, 0.05, 0.07, 300), std::tuple(60, 0.04, 0.08, 600)}) {
+        const auto told = stick_slip(saw(period, least, greatest, rows));
+        ASSERT_TRUE(told) << period;
+        EXPECT_NE(told->find(fmt::format("every {} rows", period)), std::string::npos) << *told;
+    }
+    // A single drop that comes back, and a fall in steps, are none.
+    IntervalSeries other = saw(1000, 0.04, 0.08, 400);
+    for (std::size_t i = 40; i < other.torque.size(); i += 40)
+        other.torque[i] = 0.01;
+    EXPECT_FALSE(stick_slip(other));
+    for (std::size_t i = 0; i < other.torque.size(); ++i)
+        other.torque[i] = 0.08 - 0.006 * static_cast<double>(i / 40) + 1e-4 * std::sin(i * 12.9898);
+    EXPECT_FALSE(stick_slip(other));
+}
+
+TEST(WallFriction, IsNamedInMoreWords) {
+    for (const char* const name :
+         {"Essai de frottement aux parois", "Frottement poudre/paroi", "Friction pariétale",
+          "Prova di attrito contro parete", "WFT 3", "wall coupon 316L"}) {
+        BlockFile file;
+        file.file = "t.csv";
+        file.blocks.emplace_back().test = name;
+        EXPECT_NE(shown_wall(file), "") << name;
+    }
+    BlockFile file;
+    file.blocks.emplace_back().columns = {{"Contrainte pariétale", "kPa", "shear_stress"}};
+    EXPECT_NE(shown_wall(file), "");
+    file.blocks[0].columns = {{"Contrainte", "kPa", "shear_stress"}};
+    file.blocks[0].test = "frottement interne, poudre";
+    EXPECT_EQ(shown_wall(file), "");
 }
 
 }  // namespace pendular::data_test_kinds_test

@@ -90,6 +90,23 @@ TEST(Units, ReadCommonSpellings) {
     }
 }
 
+/// Turns and degrees as they are written in French, Italian and Spanish.
+TEST(Units, ReadSpeedsInWords) {
+    for (const char* const turns : {"r.p.m", "vueltas/minuto", "giri al minuto", "giri/1'",
+                                    "vueltas por minuto", "tours par minute"})
+        EXPECT_TRUE(Unit(turns).same_dimension(Unit("rpm")) &&
+                    std::abs(Unit(turns).to_si(60) / Unit("turn/s").to_si(1) - 1) < 1e-9)
+            << turns;
+    for (const char* const degrees : {"degrés/s", "gradi/s", "grados/s"})
+        EXPECT_NEAR(Unit(degrees).to_si(180), M_PI, 1e-9) << degrees;
+}
+
+TEST(Units, SuggestTheForceForATonne) {
+    EXPECT_EQ(weight_meant("t/m²"), "tf/m²");
+    EXPECT_EQ(weight_meant("t"), "");  // a time
+    EXPECT_THROW(Unit("Kpa"), std::invalid_argument);
+}
+
 TEST(Units, KeepOffsets) {
     EXPECT_NEAR(Unit("degC").to_si(20), 293.15, 1e-9);
 }

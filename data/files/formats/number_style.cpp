@@ -139,12 +139,17 @@ NumberStyle NumberStyleFinder::style(const std::string& decimal) const {
                                      contrary.text, decimal));
     if (!decimal.empty())
         return {decimal[0], decimal[0] == ',' || !grouped_.text.empty() || !open_.text.empty()};
-    if (!point_.text.empty() && !comma_.text.empty())
+    if (!point_.text.empty() && !comma_.text.empty()) {
+        const bool point_first = point_.at.line < comma_.at.line;
+        const Example& earlier = point_first ? point_ : comma_;
+        const Example& later = point_first ? comma_ : point_;
         throw InputError(
-            comma_.at, fmt::format("\"{}\" has a decimal comma, \"{}\" in line {} a decimal point; "
-                                   "state the one that holds in [[recording]]: decimal = \",\" "
-                                   "or decimal = \".\"",
-                                   comma_.text, point_.text, point_.at.line));
+            later.at,
+            fmt::format("the decimal mark changes in the file: \"{}\" in line {} has a {}, \"{}\" "
+                        "here a {}; write all numbers of the file with one mark",
+                        earlier.text, earlier.at.line, point_first ? "point" : "comma", later.text,
+                        point_first ? "comma" : "point"));
+    }
     if (!comma_.text.empty()) return {',', true};
     if (point_.text.empty()) {
         if (!open_.text.empty()) refuse_open(open_, ',', open_point_);

@@ -1,5 +1,7 @@
 #include "data/files/formats/preamble.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -112,8 +114,11 @@ void add_stated(const Row& row, BlockFile& file) {
         value += filled[i];
     }
     if (key.empty()) return;
-    file.add_fact(value.empty() ? Fact{"title", std::string(key), row.line}
-                                : Fact{std::string(key), value, row.line});
+    if (!value.empty()) return file.add_fact({std::string(key), value, row.line});
+    std::string title = "title";
+    for (int number = 2; file.known_keys.contains(title); ++number)
+        title = fmt::format("title {}", number);
+    file.add_fact({title, std::string(key), row.line});
 }
 
 }  // namespace

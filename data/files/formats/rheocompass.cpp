@@ -104,7 +104,9 @@ class RheoCompassReader {
         block.declared_rows = std::stoul(cells[2]);
         block.table.file = source_.file;
         block.table.delimiter = delimiter_;
-        if (++line_ >= source_.lines.size()) return;
+        ++line_;
+        pass_blank_lines_before_names();
+        if (line_ >= source_.lines.size()) return;
         read_header(block);
         bool any_value = false;
         for (; line_ < source_.lines.size(); ++line_) {
@@ -114,6 +116,17 @@ class RheoCompassReader {
             any_value = true;
         }
         if (any_value || *block.declared_rows > 0) file_.blocks.push_back(std::move(block));
+    }
+
+    /// Some versions leave a line empty between that which begins an interval and the names.
+    void pass_blank_lines_before_names() {
+        std::size_t next = line_;
+        while (next < source_.lines.size() && is_blank(source_.row(next, delimiter_)))
+            ++next;
+        if (next == line_ || next == source_.lines.size()) return;
+        const auto cells = filled_cells(source_, next, delimiter_);
+        // A fact has two cells, and the begin of an interval without rows is followed by another.
+        if (cells.size() > 2 && cells[0].ends_with(':') && !begins_interval(cells)) line_ = next;
     }
 
     /// Reads names, sub-names and units: the units are the first row with brackets after the names.

@@ -45,6 +45,9 @@ struct Slips {
 /// run of increments of one sign that each differ from the median increment by more than three
 /// times the robust deviation of all increments and by more than 2.5 times the resolution.
 ///
+/// Five drops or more are certain (p = 0), however few they are, if they are far beyond the noise,
+/// equally large, and each as large as the slow rise before it.
+///
 /// The test is repeated with means of 2, 4 and 8 neighbouring values. Returns the test with the
 /// smallest p value, multiplied by the number of tests; empty for fewer than 40 values.
 /// @param resolution in the unit of the series
@@ -68,6 +71,10 @@ std::vector<Remark> stick_slip_tests(const std::string& file,
 /// saturated rows, p < 1e-4, and clearly lower rows beside them. Returns one remark for each
 /// column, with its saturated lines and its largest magnitude as `size`.
 std::vector<Remark> saturations(const Recording& recording, const std::vector<RecordedStep>& steps);
+
+/// Finds rows of an interval whose torque, or shear stress, stands at its largest value, as
+/// `saturations` does; with their share of the rows.
+std::optional<Remark> saturated_shear(const std::string& file, const IntervalSeries& series);
 
 /// Returns a remark for each step with at least three saturated rows.
 std::vector<Remark> saturated_steps(const std::vector<Remark>& saturations,

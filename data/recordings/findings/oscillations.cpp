@@ -47,10 +47,13 @@ std::vector<double> group_means(std::span<const double> samples, std::size_t gro
     return means;
 }
 
-/// Sizes of the sudden drops and number of the sudden rises of a series.
+/// Sudden drops of a series, with the number of its sudden rises.
 struct SuddenChanges {
-    std::vector<double> drops;
+    std::vector<double> drops;        ///< sizes
+    std::vector<std::size_t> places;  ///< indices of the increments with which the drops begin
     std::size_t rises = 0;
+    double usual = 0;  ///< median increment
+    double noise = 0;  ///< robust deviation of the increments
 };
 
 SuddenChanges sudden_changes(const std::vector<double>& series, double resolution) {
@@ -62,19 +65,43 @@ SuddenChanges sudden_changes(const std::vector<double>& series, double resolutio
     for (double& increment : increments)
         increment -= usual;
     const double limit = std::max(sudden * robust_deviation(increments), resolved * resolution);
-    SuddenChanges found;
+    SuddenChanges found{.usual = usual, .noise = robust_deviation(increments)};
     for (std::size_t k = 0; k < increments.size();) {
         const bool down = increments[k] < -limit;
         const bool up = increments[k] > limit;
+        const std::size_t begin = k;
         double change = 0;
         do {
             change += increments[k++];
         } while ((down || up) && k < increments.size() &&
                  (down ? increments[k] < -limit : increments[k] > limit));
-        if (down) found.drops.push_back(-change);
+        if (down) {
+            found.drops.push_back(-change);
+            found.places.push_back(begin);
+        }
         found.rises += up;
     }
     return found;
+}
+
+/// Mean distance of successive drops, as a number of values.
+double distance_of(const SuddenChanges& found) {
+    return static_cast<double>(found.places.back() - found.places.front()) /
+           static_cast<double>(found.places.size() - 1);
+}
+
+/// Whether drops are those of a sawtooth: far beyond the noise, of one size, without sudden rises,
+/// and each as large as the slow rise since the drop before. The number of drops, on which
+/// `asymmetry_p` rests, is then no limit of what is certain: noise has no such drop, and one that
+/// falls out and comes back rises suddenly too.
+bool is_sawtooth(const SuddenChanges& found) {
+    constexpr std::size_t fewest = 5;  // chosen: of fewer, neither size nor distance is regular
+    constexpr double far = 20, same = 2;
+    if (found.drops.size() < fewest || found.rises > 0) return false;
+    const auto [least, most] = std::ranges::minmax(found.drops);
+    const double rise = found.usual * distance_of(found);
+    return least > far * found.noise && most < same * least && rise > least / same &&
+           rise < most * same;
 }
 
 /// Probability of at least this number of drops among sudden changes that are as often rises [1].
@@ -95,9 +122,11 @@ std::optional<Slips> slips(std::span<const double> samples, double resolution) {
         if (means.size() < least_slip_samples) break;
         ++tests;
         const SuddenChanges found = sudden_changes(means, resolution);
-        if (const double p = asymmetry_p(found); p < best.p)
+        const double p = is_sawtooth(found) ? 0 : asymmetry_p(found);
+        if (p < best.p)
             best = {median(found.drops),
-                    static_cast<double>(samples.size()) / static_cast<double>(found.drops.size()),
+                    found.drops.size() > 1 ? static_cast<double>(group) * distance_of(found)
+                                           : static_cast<double>(samples.size()),
                     p};
     }
     best.p = std::min(1.0, tests * best.p);

@@ -99,33 +99,45 @@ double flatness_p(const TopRows& rows) {
     return std::pow((staying + 1) / (others + 2), flat);
 }
 
-Remark saturation_of(const Recording& recording, const std::string& quantity, double limit,
-                     double p, const std::set<int>& lines) {
-    Remark found{.kind = Kind::saturation,
-                 .quantity = quantity,
-                 .files = {recording.file},
-                 .size = limit,
-                 .p = p};
+/// Whether the rows at the largest value are a few single ones, far above all others: spikes that
+/// are equal, as an overflow of the converter is, and say nothing of the other rows.
+bool are_equal_spikes(const TopRows& rows) {
+    constexpr std::size_t most = 5;  // chosen: more would be a limit that is met again and again
+    constexpr double far = 2;        // chosen: a torque that is cut off has rows just below
+    if (rows.runs.size() > most ||
+        std::ranges::any_of(rows.runs, [](const Step& run) { return run.end - run.begin > 1; }))
+        return false;
+    double next = 0;
+    for (std::size_t k = 0; k < rows.values.size(); ++k)
+        if (!rows.marked[k]) next = std::max(next, rows.values[k]);
+    return rows.top > far * next;
+}
+
+Remark saturation_of(const std::string& file, const std::string& quantity, double limit, double p,
+                     const std::set<int>& lines) {
+    Remark found{
+        .kind = Kind::saturation, .quantity = quantity, .files = {file}, .size = limit, .p = p};
     for (const int line : lines)
         add_line(found.lines, line);
     return found;
 }
 
 /// Saturation of the rows of a column at its largest value, if it is certain.
-std::optional<Remark> at_largest(const Recording& recording, const std::string& quantity,
-                                 const std::vector<double>& column) {
+std::optional<Remark> at_largest(const std::string& file, const std::vector<int>& lines_of_rows,
+                                 const std::string& quantity, const std::vector<double>& column) {
     const TopRows rows(column);
     const auto count = std::ranges::count(rows.marked, true);
     if (rows.top == 0 || count < static_cast<std::ptrdiff_t>(least_rows) || !has_sharp_edges(rows))
         return std::nullopt;
+    if (are_equal_spikes(rows)) return std::nullopt;
     // A force controller may hold its set point exactly, so that a constant force means nothing.
-    const double p =
-        quantity == "torque" ? 2 * std::min(crowding_p(rows), flatness_p(rows)) : crowding_p(rows);
+    const double p = quantity != "normal_force" ? 2 * std::min(crowding_p(rows), flatness_p(rows))
+                                                : crowding_p(rows);
     if (p >= certain_saturation) return std::nullopt;
     std::set<int> lines;
     for (std::size_t k = 0; k < rows.marked.size(); ++k)
-        if (rows.marked[k]) lines.insert(recording.line[k]);
-    return saturation_of(recording, quantity, rows.top, p, lines);
+        if (rows.marked[k]) lines.insert(lines_of_rows[k]);
+    return saturation_of(file, quantity, rows.top, p, lines);
 }
 
 /// Step with the medians of its columns, as magnitudes.
@@ -155,7 +167,7 @@ std::optional<Remark> in_several_steps(const Recording& recording,
     std::set<int> lines;
     for (std::size_t k = 0; k < count; ++k)
         lines.insert(levels[k].step->series.line.begin(), levels[k].step->series.line.end());
-    return saturation_of(recording, "torque", levels[0].torque, p, lines);
+    return saturation_of(recording.file, "torque", levels[0].torque, p, lines);
 }
 
 }  // namespace
@@ -163,11 +175,28 @@ std::optional<Remark> in_several_steps(const Recording& recording,
 std::vector<Remark> saturations(const Recording& recording,
                                 const std::vector<RecordedStep>& steps) {
     std::vector<Remark> found;
-    auto torque = at_largest(recording, "torque", recording.torque);
+    auto torque = at_largest(recording.file, recording.line, "torque", recording.torque);
     if (!torque) torque = in_several_steps(recording, steps);
     if (torque) found.push_back(*std::move(torque));
-    if (auto force = at_largest(recording, "normal_force", recording.normal_force))
+    if (auto force =
+            at_largest(recording.file, recording.line, "normal_force", recording.normal_force))
         found.push_back(*std::move(force));
+    return found;
+}
+
+std::optional<Remark> saturated_shear(const std::string& file, const IntervalSeries& series) {
+    const std::vector<double>& shear = series.shear();
+    if (series.time.empty() || shear.size() < shortest_step ||
+        !std::ranges::all_of(shear, [](double value) { return std::isfinite(value); }))
+        return std::nullopt;
+    const char* const quantity = !series.shear_stress.empty() ? "shear_stress"
+                                 : series.torque.empty()      ? "lever_force"
+                                                              : "torque";
+    auto found = at_largest(file, series.line, quantity, shear);
+    if (!found) return std::nullopt;
+    found->relative =
+        static_cast<double>(all_lines(found->lines).size()) / static_cast<double>(shear.size());
+    found->corrected = true;  // what a study does
     return found;
 }
 

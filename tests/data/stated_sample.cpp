@@ -1,0 +1,116 @@
+// What lines above a table and columns of a recording state of the cell, the beads and the liquid.
+#include "data/recordings/stated_sample.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "data/input_error.h"
+#include "data/recordings/file_view.h"
+#include "data/remarks/wording.h"
+#include "tests/support/data_support.h"
+
+namespace pendular::data_stated_sample_test {
+
+using testing::HasSubstr;
+
+const std::string names = "Time [s];Speed [rpm];Normal force [N];Torque [mNm];Gap [mm]";
+
+class StatedSample : public testing::Test {
+  protected:
+    /// A recording below some lines, with one more column whose cell may differ in the second half.
+    FileView view(const std::string& above, const std::string& column = "",
+                  const std::string& first = "", const std::string& second = "") {
+        std::string text = above + names + (column.empty() ? "" : ";" + column) + "\n";
+        for (int i = 0; i < 60; ++i)
+            text += fmt::format("{};0,95;5,0{};2{},1;12,0{}{}\n", i, i % 7, i % 5, i % 3,
+                                column.empty() ? "" : ";" + (i < 30 ? first : second));
+        return view_of_file(folder_.write("t.csv", text));
+    }
+    double radius(const std::string& above, std::optional<StatedValue> StatedCell::*member) {
+        const FileView seen = view(above);
+        return seen.stated.*member ? (seen.stated.*member)->value : 0;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(StatedSample, HasRadiiWithNamesInFiveLanguages) {
+    for (const char* const above :
+         {"Raggio interno: 20 mm\nRaggio esterno: 40 mm\n\n",
+          "Radio interior: 20 mm\nRadio exterior: 40 mm\n\n",
+          "Rayon int. (mm);20\nRayon ext. (mm);40\n\n",
+          "Innenradius: 20 mm\nAußenradius: 40 mm\n\n",
+          "Diametro interno [mm]: 40\nDiametro esterno [mm]: 80\n\n",
+          "Ø int. = 40 mm\nØ ext. = 80 mm\n\n",
+          "Diámetro interior: 4 cm\nDiámetro exterior: 8 cm\n\n", "D_i = 40 mm\nD_o = 80 mm\n\n",
+          "Cell: r_i 20 mm\nr_o 40 mm\n\n", "Inner diameter / outer diameter: 40 / 80 mm\n\n"}) {
+        EXPECT_NEAR(radius(above, &StatedCell::inner_radius), 0.02, 1e-9) << above;
+        EXPECT_NEAR(radius(above, &StatedCell::outer_radius), 0.04, 1e-9) << above;
+    }
+    EXPECT_EQ(radius("Rayon moyen : 30 mm\nn: 3\n\n", &StatedCell::inner_radius), 0);
+}
+
+TEST_F(StatedSample, HasBeadsWithNamesInFiveLanguages) {
+    const auto sample = [&](const std::string& line) {
+        return stated_sample(view(line + "\n\n").file);
+    };
+    for (const char* const line : {"Diamètre des billes : 1 mm", "Bead diameter: 1 mm",
+                                   "Kugeldurchmesser [mm]: 1", "Diametro sfere: 0,1 cm"})
+        EXPECT_NEAR(sample(line).diameter.value_or(StatedValue{}).value, 1e-3, 1e-9) << line;
+    for (const char* const line : {"Density: 2460 kg/m3", "Masse volumique : 2460 kg/m³",
+                                   "Dichte: 2,46 g/cm³", "Densità: 2460 kg/m³"})
+        EXPECT_NEAR(sample(line).density.value_or(StatedValue{}).value, 2460, 1e-6) << line;
+    for (const char* const line : {"Masse des billes : 120 g", "Bead mass: 120 g",
+                                   "Massa sfere: 120 g", "Einwaage: 0,12 kg"})
+        EXPECT_NEAR(sample(line).mass.value_or(StatedValue{}).value, 0.12, 1e-9) << line;
+    EXPECT_FALSE(sample("Masse du couvercle : 120 g").mass);
+    EXPECT_FALSE(sample("Bulk density: 1500 kg/m3").density);
+}
+
+TEST_F(StatedSample, HasALiquidAboveTheTable) {
+    const auto liquid = [&](const std::string& line) {
+        return stated_liquid(view(line + "\n\n").file).value_or(StatedLiquid{});
+    };
+    for (const char* const line :
+         {"Liquid content: 2 %", "Teneur en liquide : 2 %", "Contenuto di liquido: 2 %",
+          "Fraction volumique de liquide : 0,02", "Liquide : eau, 2 % vol",
+          "Flüssigkeitsgehalt [%]: 2", "Contenido de líquido: 2"}) {
+        EXPECT_NEAR(liquid(line).value, 0.02, 1e-9) << line;
+        EXPECT_FALSE(liquid(line).by_mass) << line;
+    }
+    EXPECT_NEAR(liquid("Water content 2 %").value, 0.02, 1e-9);
+    EXPECT_TRUE(liquid("Water content 2 %").by_mass);
+    EXPECT_TRUE(liquid("Liquid content: 2 wt%").by_mass);
+    EXPECT_EQ(liquid("Humidity: 45 %").value, 0);
+    EXPECT_EQ(liquid("Liquid: water").value, 0);
+}
+
+TEST_F(StatedSample, HasALiquidInAColumn) {
+    const auto of = [&](const char* first, const char* second) {
+        return stated_liquid(view("", "Teneur en liquide (%)", first, second).file);
+    };
+    EXPECT_NEAR(of("1", "1")->value, 0.01, 1e-9);
+    EXPECT_EQ(of("0", "0")->value, 0);
+    EXPECT_FALSE(stated_liquid(view("").file));
+    try {
+        of("1", "3");
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("t.csv:32: the liquid content changes here from 0.01"));
+    }
+}
+
+/// Half of the rows at the largest torque are told of the file already, as of the study.
+TEST_F(StatedSample, TellsOfATorqueThatIsCutOff) {
+    std::string text = names + "\n";
+    for (int i = 0; i < 120; ++i)
+        text +=
+            fmt::format("{};0,95;5,0{};{};12,0{}\n", i, i % 7, i < 55 ? 20 + i % 9 : 67.2, i % 3);
+    std::ranges::replace(text, '.', ',');
+    const FileView seen = view_of_file(folder_.write("sat.csv", text));
+    ASSERT_EQ(seen.findings.size(), 1u);
+    EXPECT_THAT(with_lines(seen.findings[0], 8),
+                HasSubstr("the torque stands at its largest value, 67 mN m, in 54 % of the rows"));
+}
+
+}  // namespace pendular::data_stated_sample_test
