@@ -19,6 +19,7 @@
 #include "data/recordings/interval_checks.h"
 #include "data/recordings/point_checks.h"
 #include "data/recordings/point_texts.h"
+#include "data/recordings/repeated_loads.h"
 #include "data/recordings/stated_preshear.h"
 #include "data/recordings/test_kinds.h"
 
@@ -180,8 +181,8 @@ std::vector<std::optional<double>> contents_of(const Table& table, const Columns
 }
 
 /// Appends the rows of a table of points as one block each. Rows of one name and liquid content are
-/// one test.
-void append_points(const Block& whole, BlockFile& file) {
+/// one test. Returns a remark on columns that may tell tests apart.
+std::vector<Remark> append_points(const Block& whole, BlockFile& file) {
     const Columns columns(whole.table);
     const PointTexts texts = texts_of_points(whole, file.titles);
     const std::vector<std::optional<double>> contents = contents_of(whole.table, columns);
@@ -194,6 +195,7 @@ void append_points(const Block& whole, BlockFile& file) {
         block.test = whole.test;
         if (!texts.tests.empty() && !texts.tests[i].empty())
             add_to_name(block.test, texts.tests[i]);
+        block.group = block.test;
         block.liquid_content = contents[i];
         if (contents_differ && contents[i])
             add_to_name(block.test, fmt::format("liquid content {:.4g}", *contents[i]));
@@ -205,6 +207,8 @@ void append_points(const Block& whole, BlockFile& file) {
         block.columns = whole.columns;
         block.table = {whole.table.file, whole.table.header, {row}, whole.table.delimiter};
     }
+    if (texts.doubtful.empty()) return {};
+    return {{.kind = Remark::Kind::returning_load, .files = {file.file}, .names = texts.doubtful}};
 }
 
 /// Divides a table of points, or several of them, into one block per row. Returns remarks on cells
@@ -215,7 +219,8 @@ std::vector<Remark> split_points(BlockFile& file) {
     const bool several = file.blocks.size() > 1;
     const auto holds_points = [&](const Block& block) {
         return block.stated_role.empty() && !(several && (!tables || block.test.empty())) &&
-               is_table_of_points(block, series_of(block));
+               (is_table_of_points(block, series_of(block)) ||
+                repeats_each_load(block, series_of(block)));
     };
     if (!std::ranges::all_of(file.blocks, holds_points)) return {};
     std::vector<Block> wholes = std::move(file.blocks);
@@ -224,7 +229,7 @@ std::vector<Remark> split_points(BlockFile& file) {
     std::vector<Remark> filled;
     for (Block& whole : wholes) {
         append(filled, fill_down(whole));
-        append_points(whole, file);
+        append(filled, append_points(whole, file));
     }
     return filled;
 }
