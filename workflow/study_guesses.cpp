@@ -19,6 +19,11 @@ std::string texts_of(const FileView& view) {
     std::string text;
     for (const Block& block : view.file.blocks)
         if (text.empty()) text = block.test;
+    return texts_of_group(view, text);
+}
+
+std::string texts_of_group(const FileView& view, const std::string& group) {
+    std::string text = group;
     for (const std::string key : {"Sample name", "Name"})
         text += " | " + view.file.fact(key);
     text += " | " + file_to_open(view.file.file).stem().string();

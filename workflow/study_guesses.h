@@ -20,6 +20,9 @@ constexpr double glass_density = 2500, water_density = 1000;
 /// samples, the file's name, the project's name.
 std::string texts_of(const FileView& view);
 
+/// Such texts of one group of the points of a file.
+std::string texts_of_group(const FileView& view, const std::string& group);
+
 Guess guessed_diameter(const std::string& texts);
 
 /// Mass of liquid over mass of grains that the names of file and test state, in per cent.
