@@ -121,16 +121,7 @@ bool names_tests(std::string_view name) {
                                   "niveau de consolidation",
                                   "niveau de précisaillement",
                                   "nivel de consolidación",
-                                  "livello di consolidazione",
-                                  "liquid",
-                                  "liquide",
-                                  "líquido",
-                                  "liquido",
-                                  "flüssigkeit",
-                                  "preshear",
-                                  "précisaillement",
-                                  "precizalla",
-                                  "pretaglio"};
+                                  "livello di consolidazione"};
     const std::string wanted = folded_name(name);
     return std::ranges::any_of(names,
                                [&](std::string_view each) { return folded_name(each) == wanted; });
@@ -214,6 +205,15 @@ bool names_condition(const BlockColumn& column) {
                                   "geschwindigkeit",
                                   "d",
                                   "d50",
+                                  "liquid",
+                                  "liquide",
+                                  "líquido",
+                                  "liquido",
+                                  "flüssigkeit",
+                                  "preshear",
+                                  "précisaillement",
+                                  "precizalla",
+                                  "pretaglio",
                                   "rh",
                                   "hr"};
     const std::string wanted = folded_name(column.name);

@@ -89,7 +89,8 @@ TEST(MarkedPreshears, AreNoPointsOfFailure) {
           std::tuple("Comment", "steady-state flow", "incipient flow"),
           std::tuple("Point", "pre", "s1"), std::tuple("Phase", "stationär", "Peak"),
           std::tuple("Preshear", "TRUE", "FALSE"), std::tuple("Type", "PC", "C"),
-          std::tuple("Estado", "crítico", "pico"), std::tuple("Preshear", "3", "0")}) {
+          std::tuple("Preshear", "x", ""), std::tuple("Estado", "crítico", "pico"),
+          std::tuple("Preshear", "3", "0")}) {
         const FileView view = points(marked(name, preshear, shear));
         EXPECT_THAT(cohesions(view), testing::ElementsAre(testing::DoubleNear(826, 1)))
             << name << " " << preshear;
@@ -390,6 +391,20 @@ TEST(TitlesBetweenRows, MayStatePreshears) {
     for (const char* const title :
          {"Sand 4 kPa;;\n", "Preshear 4 kPa, shear stress 2 kPa;;\n", "Preshear 4;;\n"})
         EXPECT_FALSE(points(titled(title, "Sand B;;\n")).loci.at(0).preshear) << title;
+}
+
+TEST(NamesOfStresses, SayHowTheyWereRead) {
+    for (const auto& [normal, shear] :
+         {std::pair("Contrainte normale nominale (kPa)", "Contrainte de cisaillement au pic (kPa)"),
+          std::pair("Tensión normal (kPa)", "Resistencia al corte (kPa)"),
+          std::pair("Sforzo normale (kPa)", "Resistenza di picco (kPa)"),
+          std::pair("Sforzo normale (kPa)", "Sforzo di taglio medio (kPa)"),
+          std::pair("Normal stress [kPa]", "Shear stress peak [kPa]"),
+          std::pair("Normal stress [kPa]", "Mean shear stress [kPa]")})
+        EXPECT_THAT(
+            cohesions(points(fmt::format("{};{}\n1;0.71\n2;1.22\n3;1.73\n", normal, shear))),
+            testing::ElementsAre(testing::DoubleNear(200, 1e-6)))
+            << shear;
 }
 
 TEST(MissingPoints, HaveMarksOfOtherLanguages) {
