@@ -20,7 +20,8 @@ constexpr double glass_density = 2500, water_density = 1000;
 /// samples, the file's name, the project's name.
 std::string texts_of(const FileView& view);
 
-/// Such texts of one group of the points of a file.
+/// Texts that may say what was measured in one group of the points of a file: its name in place of
+/// those of tests.
 std::string texts_of_group(const FileView& view, const std::string& group);
 
 Guess guessed_diameter(const std::string& texts);

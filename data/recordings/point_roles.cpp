@@ -66,7 +66,7 @@ bool names_failure(std::string_view label) {
     return is_one_of(label, labels) || begins_with(label, begins);
 }
 
-/// Whether a label is a yes; `folded_name` takes the "ue" of "true" for an "ü".
+/// Whether a label is a yes; `folded_name` makes "tru" of "true", as if it were German.
 bool says_yes(std::string_view label) {
     constexpr std::array<std::string_view, 12> words = {"tru", "yes", "y",    "ja",   "j",    "oui",
                                                         "si",  "sí",  "true", "wahr", "vrai", "x"};

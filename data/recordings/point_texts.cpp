@@ -188,7 +188,7 @@ bool names_condition(const BlockColumn& column) {
                                   "temperature",
                                   "température",
                                   "temperatura",
-                                  "temperatur",
+                                  "messtemperatur",
                                   "relative humidity",
                                   "humidité relative",
                                   "humedad relativa",
