@@ -26,6 +26,7 @@
 #include "reports/locus_report.h"
 #include "reports/recording_figures.h"
 #include "workflow/begin_study.h"
+#include "workflow/begun_tables.h"
 #include "workflow/file_views.h"
 #include "workflow/json/measurements.h"
 #include "workflow/study_input.h"
@@ -328,9 +329,12 @@ int import_file(const std::filesystem::path& path, const ImportFileOptions& opti
     if (!options.tidy.empty()) write_whole(options.tidy, tidy_table(views));
     if (!options.loci.empty()) write_whole(options.loci, locus_table(views));
     const bool used = print_views(read, console);
-    if (guesses > 0)
-        console.line(
-            guesses_sentence(guesses, std::filesystem::path(options.study) / "study.toml"));
+    const auto toml = std::filesystem::path(options.study) / "study.toml";
+    if (!options.study.empty())
+        for (const FileView& view : views)
+            if (const auto groups = groups_of_points(view); !groups.empty())
+                console.line(groups_sentence(view, groups, toml));
+    if (guesses > 0) console.line(guesses_sentence(guesses, toml));
     if (const std::string next = next_command(paths, views, options, guesses); !next.empty())
         console.next(next);
     console.json(json_of(views));

@@ -12,10 +12,7 @@
 
 #include "data/files/column_names.h"
 #include "data/files/folded_name.h"
-<<<<<<< HEAD
 #include "data/files/formats/layouts.h"
-=======
->>>>>>> h55r
 #include "data/files/formats/named_columns.h"
 #include "data/files/header_cell.h"
 #include "data/files/sheet_path.h"

@@ -356,6 +356,20 @@ Output file_output(const FileView& view, bool all, bool is_answer) {
     return output;
 }
 
+std::string groups_sentence(const FileView& view, const std::vector<std::string>& groups,
+                            const std::filesystem::path& toml) {
+    constexpr std::size_t told = 5;
+    std::vector<std::string> names;
+    for (const std::string& group : groups)
+        if (names.size() < told) names.push_back(group.empty() ? "rows without a name" : group);
+    return fmt::format(
+        "{} holds {} groups of points: {}{}. A study describes one material: {} reads the first "
+        "group alone. Each group has a table of its own beside it; for those of the same grains, "
+        "remove the '#' before their lines.",
+        std::filesystem::path(view.file.file).filename().string(), groups.size(),
+        fmt::join(names, "; "), groups.size() > told ? "; ..." : "", toml.string());
+}
+
 std::string guesses_sentence(std::size_t guesses, const std::filesystem::path& toml) {
     return fmt::format(
         "{} of the values in {} {}, marked GUESS, since the file does not state {}: replace {} "

@@ -45,6 +45,11 @@ std::string unused_sentence(const std::vector<FileView>& views);
 /// @param is_answer whether the first sentence is the answer of the command
 Output file_output(const FileView& view, bool all, bool is_answer = true);
 
+/// Returns a sentence on the groups of points of a file, at least two, of which the study in `toml`
+/// reads the first.
+std::string groups_sentence(const FileView& view, const std::vector<std::string>& groups,
+                            const std::filesystem::path& toml);
+
 /// Returns a sentence on the number of guessed values in `toml`, the study.toml that was written.
 std::string guesses_sentence(std::size_t guesses, const std::filesystem::path& toml);
 

@@ -165,47 +165,115 @@ std::string roles_text(const FileView& view) {
     return roles.empty() ? "" : fmt::format("intervals = {{ {} }}\n", fmt::join(roles, ", "));
 }
 
-/// Comment on a table of points of several tests, which one study takes for one material; empty for
-/// one test.
-std::string comment_on_tests(const FileView& view) {
-    std::vector<std::string> tests;
-    for (const YieldLocus& locus : view.loci)
-        if (std::ranges::find(tests, locus.test) == tests.end()) tests.push_back(locus.test);
-    if (!view.file.table_of_points || tests.size() < 2) return "";
-    constexpr std::size_t told = 3;
-    const bool more = tests.size() > told;
-    if (more) tests.resize(told);
-    return fmt::format("             # GUESS: {}{} are of one material; if not, divide the table",
-                       comment_text(fmt::format("{}", fmt::join(tests, ", "))),
-                       more ? ", ..." : "");
+/// Text with "# " before each line that is not blank.
+std::string commented_out(const std::string& text) {
+    std::string result;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string line = text.substr(begin, end - begin);
+        result += line.empty() ? "\n" : "# " + line + "\n";
+        begin = end + 1;
+    }
+    return result;
+}
+
+/// Tables of a view, or of one group of its points, and their entries in study.toml.
+struct Tables {
+    std::map<std::string, std::string> files;
+    std::string entries;
+};
+
+void add_table(Tables& tables, const std::string& name, std::string content,
+               const std::string& what, const std::string& comment, const std::string& more) {
+    if (content.empty()) return;
+    tables.files[name] = std::move(content);
+    const std::string file = "file = " + toml_string(name);
+    tables.entries +=
+        fmt::format("[[readings]]                     # {}\n{}\n{}\n", what,
+                    comment.empty() ? file : fmt::format("{:<32} {}", file, comment), more);
 }
 
 /// @param suffix of the names of tables
-/// @param steady whether there is a table of preshears
-std::string entries_text(const FileView& view, const FileFormat& format, const std::string& suffix,
-                         bool steady, const std::string& liquid_content) {
+/// @param comment behind the name of the table of failure
+/// @param group of the points; empty: all
+Tables tables_of(const FileView& view, double mass_ratio, const std::string& suffix,
+                 const std::optional<std::string>& group, const std::string& comment,
+                 const std::string& liquid_content) {
     const std::string of_rows = states_contents(view) ? "" : liquid_content;
-    std::string text;
-    if (has_steady_recording(view))
-        text += fmt::format(
-            "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}{}\n",
-            toml_string(as_pattern(file_to_open(view.file.file).filename().string())),
-            format_text(format, view), roles_text(view), liquid_content);
-    if (steady)
-        text += fmt::format(
-            "[[readings]]                     # ends of the preshears, in steady "
-            "shear\nfile = \"steady{}.csv\"\n{}\n",
-            suffix, of_rows);
-    if (!view.loci.empty())
-        text += fmt::format(
-            "[[readings]]                     # points of failure: peaks, which may lie above "
-            "steady shear\nfile = \"failure{}.csv\"{}\nstate = \"failure\"{}\n{}\n",
-            suffix, comment_on_tests(view),
-            view.file.table_of_points ? "                # GUESS: peaks; for steady shear, remove "
-                                        "this line and the column failure"
-                                      : "",
-            of_rows);
-    return text;
+    Tables tables;
+    add_table(tables, fmt::format("steady{}.csv", suffix), steady_table(view, mass_ratio, group),
+              "ends of the preshears, in steady shear", "", of_rows);
+    if (view.loci.empty()) return tables;
+    add_table(tables, fmt::format("failure{}.csv", suffix), failure_table(view, group),
+              "points of failure: peaks, which may lie above steady shear", comment,
+              fmt::format("state = \"failure\"{}\n{}",
+                          view.file.table_of_points
+                              ? "                # GUESS: peaks; for steady shear, remove this "
+                                "line and the column failure"
+                              : "",
+                          of_rows));
+    return tables;
+}
+
+std::string liquid_content_text(const LiquidGuess& liquid) {
+    if (liquid.value == 0)
+        return fmt::format("liquid_content = 0                # {}\n", comment_text(liquid.from));
+    return fmt::format("liquid_content = {:<15g} # {}\n", liquid.value, comment_text(liquid.from));
+}
+
+/// Comment behind the name of a table of failure on what the file does not state.
+/// @param group what it says of the group; empty: nothing
+std::string comment_on_failure(const FileView& view, const std::string& group) {
+    const bool invented = view.file.table_of_points && !states_errors(view);
+    if (!invented && group.empty()) return "";
+    return fmt::format("# GUESS: {}{}{}", group, invented && !group.empty() ? "; " : "",
+                       invented ? "no errors are stated, and shear_stress_se is 1 %" : "");
+}
+
+/// Tables of each group of a table of points, of which the study reads the first alone: whether the
+/// others are of its material is not known, and they would count as repeats of its points.
+/// @param wet whether the study needs liquid contents
+Tables tables_of_groups(const FileView& view, const std::vector<std::string>& groups,
+                        const std::string& suffix, bool wet) {
+    Tables all;
+    std::set<std::string> taken;
+    for (const std::string& group : groups) {
+        const bool first = all.files.empty();
+        const std::string named = comment_text(group.empty() ? "rows without a name" : group);
+        const LiquidGuess liquid = liquid_guessed_from(texts_of_group(view, group));
+        Tables own =
+            tables_of(view, liquid.mass_ratio(), name_of_table(suffix, group, taken), group,
+                      comment_on_failure(
+                          view, first ? fmt::format("a study of \"{}\", the first of {} groups",
+                                                    named, groups.size())
+                                      : ""),
+                      wet ? liquid_content_text(liquid) : "");
+        all.files.merge(own.files);
+        if (!first)
+            all.entries += fmt::format(
+                "# \"{}\" is not read. If its grains are those above, remove the \"# \" "
+                "of these lines;\n# if not, it needs a study of its own.\n",
+                named);
+        all.entries += first ? own.entries : commented_out(own.entries);
+    }
+    return all;
+}
+
+/// Whether the name of any group of a table of points says that its grains are wet.
+bool has_wet_group(const FileView& view) {
+    return std::ranges::any_of(groups_of_points(view), [&](const std::string& group) {
+        return guessed_mass_ratio(texts_of_group(view, group)) > 0;
+    });
+}
+
+/// Entry of the steady shear in a recording; empty if there is none.
+std::string recording_text(const FileView& view, const FileFormat& format,
+                           const std::string& liquid_content) {
+    if (!has_steady_recording(view)) return "";
+    return fmt::format(
+        "[[recording]]                    # intervals of steady shear\nfile = {}\n{}{}{}\n",
+        toml_string(as_pattern(file_to_open(view.file.file).filename().string())),
+        format_text(format, view), roles_text(view), liquid_content);
 }
 
 /// The view that shows the cell best: one whose header states the radii, else one whose columns
@@ -255,12 +323,6 @@ void add_recordings(const std::vector<FileView>& views, std::map<std::string, st
                 {path.string()},
                 "has the name of a file of the study; rename it, to recording.csv say");
     }
-}
-
-std::string liquid_content_text(const LiquidGuess& liquid) {
-    if (liquid.value == 0)
-        return fmt::format("liquid_content = 0                # {}\n", comment_text(liquid.from));
-    return fmt::format("liquid_content = {:<15g} # {}\n", liquid.value, comment_text(liquid.from));
 }
 
 /// How study.toml states that a sheet or file is to be read.
@@ -335,6 +397,7 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
         liquids.push_back(guessed_liquid(view));
     const bool wet =
         std::ranges::any_of(liquids, [](const auto& each) { return each.value > 0; }) ||
+        std::ranges::any_of(views, has_wet_group) ||
         std::ranges::any_of(views, [](const FileView& view) {
             return states_any(view, [](double content) { return content > 0; });
         });
@@ -345,11 +408,14 @@ std::map<std::string, std::string> begin_study(const std::vector<FileView>& view
         const std::string suffix = views.size() == 1 ? "" : fmt::format("_{}", k + 1);
         const bool several_sheets =
             sheets_of_one_book(views, view) || (format.sheet.empty() && has_several_sheets(view));
-        std::string steady = steady_table(view, liquids[k].mass_ratio());
-        entries += entries_text(view, format_of_entry(view, format, several_sheets), suffix,
-                                !steady.empty(), wet ? liquid_content_text(liquids[k]) : "");
-        if (!view.loci.empty()) files[fmt::format("failure{}.csv", suffix)] = failure_table(view);
-        if (!steady.empty()) files[fmt::format("steady{}.csv", suffix)] = std::move(steady);
+        const std::string content = wet ? liquid_content_text(liquids[k]) : "";
+        const std::vector<std::string> groups = groups_of_points(view);
+        Tables tables = groups.empty() ? tables_of(view, liquids[k].mass_ratio(), suffix, {},
+                                                   comment_on_failure(view, ""), content)
+                                       : tables_of_groups(view, groups, suffix, wet);
+        entries += recording_text(view, format_of_entry(view, format, several_sheets), content) +
+                   tables.entries;
+        files.merge(tables.files);
     }
     if (entries.empty()) refuse_to_begin(views.front());
     const FileView* const cell = view_with_cell(views);

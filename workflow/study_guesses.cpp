@@ -20,6 +20,11 @@ std::string texts_of(const FileView& view) {
     std::string text;
     for (const Block& block : view.file.blocks)
         if (text.empty()) text = block.test;
+    return texts_of_group(view, text);
+}
+
+std::string texts_of_group(const FileView& view, const std::string& group) {
+    std::string text = group;
     for (const std::string key : {"Sample name", "Name"})
         text += " | " + view.file.fact(key);
     text += " | " + file_to_open(view.file.file).stem().string();
@@ -92,9 +97,22 @@ double guessed_mass_ratio(const std::string& texts) {
     return named_wet(texts) ? stated_percent(texts).value_or(1) / 100 : 0;
 }
 
+namespace {
+
+constexpr double volume_per_mass = glass_density / water_density;
+
+}  // namespace
+
+LiquidGuess liquid_guessed_from(const std::string& texts) {
+    const double mass_ratio = guessed_mass_ratio(texts);
+    if (mass_ratio == 0) return {0, "GUESS: dry"};
+    return {mass_ratio * volume_per_mass,
+            fmt::format("GUESS: volume of water over volume of glass, {}",
+                        stated_percent(texts) ? "from the names of file and test"
+                                              : "as for 1 % of the mass")};
+}
+
 LiquidGuess guessed_liquid(const FileView& view) {
-    const std::string texts = texts_of(view);
-    const double volume_per_mass = glass_density / water_density;
     if (const auto stated = stated_liquid(view.file)) {
         if (stated->by_mass)
             return {stated->value * volume_per_mass,
@@ -103,12 +121,7 @@ LiquidGuess guessed_liquid(const FileView& view) {
         return {stated->value,
                 fmt::format("GUESS: {} is volume of liquid over that of grains", stated->from)};
     }
-    const double mass_ratio = guessed_mass_ratio(texts);
-    if (mass_ratio == 0) return {0, "GUESS: dry"};
-    return {mass_ratio * volume_per_mass,
-            fmt::format("GUESS: volume of water over volume of glass, {}",
-                        stated_percent(texts) ? "from the names of file and test"
-                                              : "as for 1 % of the mass")};
+    return liquid_guessed_from(texts_of(view));
 }
 
 }  // namespace pendular

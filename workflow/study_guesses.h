@@ -20,6 +20,10 @@ constexpr double glass_density = 2500, water_density = 1000;
 /// samples, the file's name, the project's name.
 std::string texts_of(const FileView& view);
 
+/// Texts that may say what was measured in one group of the points of a file: its name in place of
+/// those of tests.
+std::string texts_of_group(const FileView& view, const std::string& group);
+
 Guess guessed_diameter(const std::string& texts);
 
 /// Mass of liquid over mass of grains that the names of file and test state, in per cent.
@@ -35,6 +39,9 @@ struct LiquidGuess {
     std::string from;
     double mass_ratio() const { return value * water_density / glass_density; }
 };
+
+/// Liquid content that the names of file and test suggest.
+LiquidGuess liquid_guessed_from(const std::string& texts);
 
 /// Liquid content that a file states in a column or above its table or, if it states none, that the
 /// names of file and test suggest.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "data/files/column_names.h"
+#include "data/files/folded_name.h"
 #include "data/files/header_cell.h"
 
 namespace pendular {
@@ -64,6 +65,20 @@ void name_errors(Row& header, const std::vector<HeaderCell>& cells) {
     }
 }
 
+/// Whether a column may count levels of consolidation, or mark preshears by "yes": without a unit,
+/// its numbers are no stresses.
+bool may_count_levels(std::string_view quantity, const HeaderCell& cell) {
+    if (quantity != "preshear_stress" || !cell.unit.empty()) return false;
+    constexpr std::string_view kinds[] = {"level",         "niveau",        "nivel",
+                                          "livell",        "precarico",     "consolidation",
+                                          "consolidacion", "consolidazione"};
+    const std::string name = folded_name(cell.name);
+    constexpr std::string_view stresses[] = {"stress", "contrainte", "tension", "sforzo",
+                                             "charge", "load",       "esfuerzo"};
+    const auto contains = [&](std::string_view word) { return name.find(word) != name.npos; };
+    return std::ranges::any_of(kinds, contains) && std::ranges::none_of(stresses, contains);
+}
+
 }  // namespace
 
 void use_names_of_quantities(Row& header) {
@@ -87,7 +102,9 @@ void use_names_of_quantities(Row& header) {
         const ColumnMeaning meaning = meaning_of_column(cell.name, cell.unit);
         // "n" without a unit may be anything.
         const bool symbol = cell.name.size() <= 2 && cell.unit.empty();
-        if (meaning.quantity.empty() || meaning.shared || symbol) continue;
+        if (meaning.quantity.empty() || meaning.shared || symbol ||
+            may_count_levels(meaning.quantity, cell))
+            continue;
         const std::string_view as = read_as(quantity(meaning.quantity));
         if (known.contains(as) || known.contains(alternative_to(as))) continue;
         // A column with a unit comes before all without; one without is no reason to refuse a table

@@ -23,6 +23,7 @@
 #include "data/recordings/interval_checks.h"
 #include "data/recordings/point_checks.h"
 #include "data/recordings/point_texts.h"
+#include "data/recordings/repeated_loads.h"
 #include "data/recordings/stated_preshear.h"
 #include "data/recordings/test_kinds.h"
 
@@ -92,13 +93,8 @@ std::vector<std::string_view> missing_quantities_of(const BlockColumn& column,
     for (const Needed& needed : needed_quantities()) {
         if (std::ranges::find(view.missing, needed.name) == view.missing.end()) continue;
         const auto fits = std::ranges::find_if(needed.quantities, [&](std::string_view name) {
-<<<<<<< HEAD
-            return name != "lever_force" && unit_fits(column.unit, name) &&
-                   !names_another(column.name, name);
-=======
-            return name != "lever_force" &&
+            return name != "lever_force" && !names_another(column.name, name) &&
                    (unit_fits(column.unit, name) || fits_as_weight(column.unit, name));
->>>>>>> h55r
         });
         if (fits != needed.quantities.end()) by_unit.push_back(*fits);
         if (!named.shared &&
@@ -134,19 +130,12 @@ std::vector<BlockColumn> candidates(const FileView& view) {
     if (!is_own_table(view.file.layout)) return found;
     const Block& block = view.file.blocks.front();
     for (std::size_t i = 0; i < block.columns.size(); ++i) {
-<<<<<<< HEAD
-        const BlockColumn& column = block.columns[i];
-        const bool errors = bare_mark({column.name, column.unit}) != ErrorMark::none;
-        if (!column.quantity.empty() || !column.set_point_of.empty() || column.unit.empty() ||
-            errors)
-            continue;
-=======
         BlockColumn column = block.columns[i];
-        if (!column.quantity.empty() || !column.set_point_of.empty()) continue;
+        const bool errors = bare_mark({column.name, column.unit}) != ErrorMark::none;
+        if (!column.quantity.empty() || !column.set_point_of.empty() || errors) continue;
         if (column.unit.empty() && holds_numbers(block, i))
             column.unit = unit_in_name(column.name, view);
         if (column.unit.empty()) continue;
->>>>>>> h55r
         std::vector<std::string_view> possible = missing_quantities_of(column, view);
         if (possible.empty() && !is_unit(column.unit) && holds_numbers(block, i))
             possible = first_missing(column.unit, view);
@@ -240,8 +229,8 @@ std::vector<std::optional<double>> contents_of(const Table& table, const Columns
 }
 
 /// Appends the rows of a table of points as one block each. Rows of one name and liquid content are
-/// one test.
-void append_points(const Block& whole, BlockFile& file) {
+/// one test. Returns a remark on columns that may tell tests apart.
+std::vector<Remark> append_points(const Block& whole, BlockFile& file) {
     const Columns columns(whole.table);
     const PointTexts texts = texts_of_points(whole, file.titles);
     const std::vector<std::optional<double>> contents = contents_of(whole.table, columns);
@@ -254,6 +243,7 @@ void append_points(const Block& whole, BlockFile& file) {
         block.test = whole.test;
         if (!texts.tests.empty() && !texts.tests[i].empty())
             add_to_name(block.test, texts.tests[i]);
+        block.group = block.test;
         block.liquid_content = contents[i];
         if (contents_differ && contents[i])
             add_to_name(block.test, fmt::format("liquid content {:.4g}", *contents[i]));
@@ -265,6 +255,8 @@ void append_points(const Block& whole, BlockFile& file) {
         block.columns = whole.columns;
         block.table = {whole.table.file, whole.table.header, {row}, whole.table.delimiter};
     }
+    if (texts.doubtful.empty()) return {};
+    return {{.kind = Remark::Kind::returning_load, .files = {file.file}, .names = texts.doubtful}};
 }
 
 /// Divides a table of points, or several of them, into one block per row. Returns remarks on cells
@@ -275,7 +267,8 @@ std::vector<Remark> split_points(BlockFile& file) {
     const bool several = file.blocks.size() > 1;
     const auto holds_points = [&](const Block& block) {
         return block.stated_role.empty() && !(several && (!tables || block.test.empty())) &&
-               is_table_of_points(block, series_of(block));
+               (is_table_of_points(block, series_of(block)) ||
+                repeats_each_load(block, series_of(block)));
     };
     if (!std::ranges::all_of(file.blocks, holds_points)) return {};
     std::vector<Block> wholes = std::move(file.blocks);
@@ -284,7 +277,7 @@ std::vector<Remark> split_points(BlockFile& file) {
     std::vector<Remark> filled;
     for (Block& whole : wholes) {
         append(filled, fill_down(whole));
-        append_points(whole, file);
+        append(filled, append_points(whole, file));
     }
     return filled;
 }

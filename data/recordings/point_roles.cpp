@@ -32,6 +32,8 @@ std::string label_of(std::string_view text) {
     return word;
 }
 
+}  // namespace
+
 bool names_preshear(std::string_view text) {
     constexpr std::array<std::string_view, 10> begins = {
         "preshear", "anscher",  "vorscher", "precisai",   "precizal",
@@ -39,29 +41,35 @@ bool names_preshear(std::string_view text) {
     return begins_with(label_of(text), begins);
 }
 
+namespace {
+
 bool names_steady_shear(std::string_view label) {
-    constexpr std::array<std::string_view, 8> begins = {"steady",    "stationa",    "critical",
-                                                        "kritisch",  "regimeperma", "residual",
-                                                        "estaciona", "stazionari"};
+    constexpr std::array<std::string_view, 12> begins = {
+        "steady",    "stationa", "critical",    "critique", "critico",   "residu",
+        "stationar", "kritisch", "regimeperma", "residual", "estaciona", "stazionari"};
     return begins_with(label, begins);
 }
 
 bool abbreviates_preshear(std::string_view label) {
-    constexpr std::array<std::string_view, 7> labels = {"p", "pre", "ps", "an", "vs", "as", "cons"};
+    constexpr std::array<std::string_view, 8> labels = {"p",  "pre", "ps",   "an",
+                                                        "vs", "as",  "cons", "pc"};
     return is_one_of(label, labels);
 }
 
 bool names_failure(std::string_view label) {
-    constexpr std::array<std::string_view, 11> begins = {
-        "peak",    "shear", "fail",  "incipient", "yield",    "max",
-        "abscher", "bruch", "scher", "cisaill",   "anfliesse"};
-    constexpr std::array<std::string_view, 6> labels = {"s", "f", "sh", "ab", "pic", ""};
+    constexpr std::array<std::string_view, 17> begins = {
+        "peak",    "shear",  "fail",  "incipient", "yield",     "max",
+        "abscher", "bruch",  "scher", "cisaill",   "anfliesse", "ruptur",
+        "rotur",   "rottur", "corte", "cizall",    "taglio"};
+    constexpr std::array<std::string_view, 9> labels = {"s",    "f",     "sh", "ab", "pic",
+                                                        "pico", "picco", "c",  ""};
     return is_one_of(label, labels) || begins_with(label, begins);
 }
 
+/// Whether a label is a yes; `folded_name` makes "tru" of "true", as if it were German.
 bool says_yes(std::string_view label) {
-    constexpr std::array<std::string_view, 11> words = {"yes", "y",    "ja",   "j",    "oui", "si",
-                                                        "sí",  "true", "wahr", "vrai", "x"};
+    constexpr std::array<std::string_view, 12> words = {"tru", "yes", "y",    "ja",   "j",    "oui",
+                                                        "si",  "sí",  "true", "wahr", "vrai", "x"};
     return is_one_of(label, words);
 }
 

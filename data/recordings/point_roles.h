@@ -14,6 +14,9 @@ namespace pendular {
 bool is_same_load(double a, double b);
 bool is_lower_load(double lower, double load);
 
+/// Whether a text begins with a word for a preshear or a consolidation, such as "Preshear?".
+bool names_preshear(std::string_view text);
+
 /// Returns the roles that a column of a table of points states, one for each row: "preshear",
 /// "other" for steady shear after a point of failure at its load, or "" for a point of failure;
 /// empty if the column states none.

@@ -51,22 +51,176 @@ bool stands_in_groups(const std::vector<std::string>& texts) {
 }  // namespace
 
 bool names_tests(std::string_view name) {
-    constexpr std::array names = {
-        "test no",     "versuch nr", "probe nr",     "sample no",  "material", "wall material",
-        "wall",        "sample",     "sample name",  "specimen",   "powder",   "test",
-        "run",         "series",     "wandmaterial", "wand",       "probe",    "probenname",
-        "pulver",      "versuch",    "échantillon",  "matériau",   "paroi",    "poudre",
-        "essai",       "muestra",    "pared",        "polvo",      "ensayo",   "campione",
-        "materiale",   "parete",     "polvere",      "prova",      "batch",    "lot",
-        "charge",      "product",    "produkt",      "produit",    "producto", "prodotto",
-        "serie",       "group",      "gruppe",       "groupe",     "grupo",    "gruppo",
-        "yield locus", "locus",      "fließort",     "bulk solid", "schüttgut"};
+    constexpr std::array names = {"test no",
+                                  "versuch nr",
+                                  "probe nr",
+                                  "sample no",
+                                  "material",
+                                  "wall material",
+                                  "wall",
+                                  "sample",
+                                  "sample name",
+                                  "specimen",
+                                  "powder",
+                                  "test",
+                                  "run",
+                                  "series",
+                                  "wandmaterial",
+                                  "wand",
+                                  "probe",
+                                  "probenname",
+                                  "pulver",
+                                  "versuch",
+                                  "échantillon",
+                                  "matériau",
+                                  "paroi",
+                                  "poudre",
+                                  "essai",
+                                  "muestra",
+                                  "pared",
+                                  "polvo",
+                                  "ensayo",
+                                  "campione",
+                                  "materiale",
+                                  "parete",
+                                  "polvere",
+                                  "prova",
+                                  "batch",
+                                  "lot",
+                                  "charge",
+                                  "product",
+                                  "produkt",
+                                  "produit",
+                                  "producto",
+                                  "prodotto",
+                                  "serie",
+                                  "group",
+                                  "gruppe",
+                                  "groupe",
+                                  "grupo",
+                                  "gruppo",
+                                  "yield locus",
+                                  "locus",
+                                  "fließort",
+                                  "bulk solid",
+                                  "schüttgut",
+                                  "essai n°",
+                                  "essai no",
+                                  "prueba",
+                                  "prueba n°",
+                                  "ensayo n°",
+                                  "prova n°",
+                                  "prova n",
+                                  "test n°",
+                                  "level",
+                                  "niveau",
+                                  "nivel",
+                                  "livello",
+                                  "preshear level",
+                                  "consolidation level",
+                                  "niveau de consolidation",
+                                  "niveau de précisaillement",
+                                  "nivel de consolidación",
+                                  "livello di consolidazione"};
     const std::string wanted = folded_name(name);
     return std::ranges::any_of(names,
                                [&](std::string_view each) { return folded_name(each) == wanted; });
 }
 
 namespace {
+
+/// Whether a column has a content of water or another liquid that is no `liquid_content`: most are
+/// masses of water over masses of dry or wet grains.
+bool names_water_content(const BlockColumn& column) {
+    constexpr std::array names = {"water content",
+                                  "moisture content",
+                                  "moisture",
+                                  "gravimetric water content",
+                                  "teneur en eau",
+                                  "taux d'humidité",
+                                  "taux de liquide",
+                                  "taux d'eau",
+                                  "teneur en humidité",
+                                  "umidità",
+                                  "contenuto d'acqua",
+                                  "tenore d'acqua",
+                                  "contenuto di acqua",
+                                  "humedad",
+                                  "contenido de agua",
+                                  "contenido de humedad",
+                                  "wassergehalt",
+                                  "feuchte",
+                                  "feuchtigkeit",
+                                  "feuchtegehalt",
+                                  "wasseranteil",
+                                  "liquid volume",
+                                  "volume de liquide",
+                                  "saturation",
+                                  "degree of saturation",
+                                  "degré de saturation",
+                                  "grado di saturazione",
+                                  "grado de saturación",
+                                  "sättigungsgrad",
+                                  "volume of liquid",
+                                  "added water",
+                                  "watergehalte"};
+    const std::string wanted = folded_name(column.name);
+    return (column.name == "w" && column.unit == "%") ||
+           std::ranges::any_of(names,
+                               [&](std::string_view each) { return folded_name(each) == wanted; });
+}
+
+/// Whether a column has a condition of tests, of which each value may have a locus.
+bool names_condition(const BlockColumn& column) {
+    constexpr std::array names = {"diameter",
+                                  "grain diameter",
+                                  "bead diameter",
+                                  "particle size",
+                                  "bead size",
+                                  "grain size",
+                                  "diamètre",
+                                  "diamètre des billes",
+                                  "diamètre des grains",
+                                  "diametro",
+                                  "diámetro",
+                                  "durchmesser",
+                                  "korngröße",
+                                  "temperature",
+                                  "température",
+                                  "temperatura",
+                                  "messtemperatur",
+                                  "relative humidity",
+                                  "humidité relative",
+                                  "humedad relativa",
+                                  "umidità relativa",
+                                  "relative luftfeuchte",
+                                  "relative feuchte",
+                                  "humidity",
+                                  "humidité",
+                                  "velocity",
+                                  "speed",
+                                  "vitesse",
+                                  "velocidad",
+                                  "velocità",
+                                  "geschwindigkeit",
+                                  "d",
+                                  "d50",
+                                  "liquid",
+                                  "liquide",
+                                  "líquido",
+                                  "liquido",
+                                  "flüssigkeit",
+                                  "preshear",
+                                  "précisaillement",
+                                  "precizalla",
+                                  "pretaglio",
+                                  "rh",
+                                  "hr"};
+    const std::string wanted = folded_name(column.name);
+    return names_water_content(column) || std::ranges::any_of(names, [&](std::string_view each) {
+               return folded_name(each) == wanted;
+           });
+}
 
 /// Load of each row, a normal stress or force in the unit of its column; empty if no column or a
 /// cell states none.
@@ -124,12 +278,93 @@ std::vector<std::string> titles_above(const Table& table, std::vector<Title> tit
     return parted ? texts : std::vector<std::string>();
 }
 
+/// Loads at each text, preshears aside.
+std::map<std::string, std::vector<double>> loads_by_text(const std::vector<std::string>& texts,
+                                                         const std::vector<double>& loads,
+                                                         const std::vector<std::string>& roles) {
+    std::map<std::string, std::vector<double>> result;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        if (!roles.empty() && !roles[i].empty()) continue;
+        std::vector<double>& own = result[texts[i]];
+        if (std::ranges::none_of(own, [&](double each) { return is_same_load(each, loads[i]); }))
+            own.push_back(loads[i]);
+    }
+    return result;
+}
+
+/// Whether each text stands at `fewest` different loads at least, of which two stand at another
+/// text too.
+bool repeats_loads(const std::map<std::string, std::vector<double>>& loads, std::size_t fewest) {
+    const auto shares = [](const std::vector<double>& own, const std::vector<double>& other) {
+        return std::ranges::count_if(own, [&](double load) {
+                   return std::ranges::any_of(
+                       other, [&](double each) { return is_same_load(each, load); });
+               }) > 1;
+    };
+    return loads.size() > 1 && std::ranges::all_of(loads, [&](const auto& own) {
+               return own.second.size() >= fewest &&
+                      std::ranges::any_of(loads, [&](const auto& other) {
+                          return own.first != other.first && shares(own.second, other.second);
+                      });
+           });
+}
+
+/// Whether the same loads recur at different texts of a column within any of the tests.
+bool recurs_within_tests(const std::vector<std::string>& texts, const std::vector<double>& loads,
+                         const PointTexts& found) {
+    constexpr std::size_t fewest = 3;  // of a line that is fitted
+    std::set<std::string> tests(found.tests.begin(), found.tests.end());
+    if (tests.empty()) tests.insert("");
+    return std::ranges::any_of(tests, [&](const std::string& test) {
+        std::vector<std::string> own_texts, own_roles;
+        std::vector<double> own_loads;
+        for (std::size_t i = 0; i < loads.size(); ++i) {
+            if (!found.tests.empty() && found.tests[i] != test) continue;
+            own_texts.push_back(texts[i]);
+            own_loads.push_back(loads[i]);
+            own_roles.push_back(found.roles.empty() ? "" : found.roles[i]);
+        }
+        return repeats_loads(loads_by_text(own_texts, own_loads, own_roles), fewest);
+    });
+}
+
+/// Column of texts or numbers that no cell lacks.
+struct Texts {
+    const BlockColumn& column;
+    std::vector<std::string> cells;
+};
+
+/// Parts the tests further by a condition such as "Temperature 20 °C".
+void part_by(const Texts& condition, std::vector<std::string>& tests) {
+    tests.resize(condition.cells.size());
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        if (!tests[i].empty()) tests[i] += ", ";
+        tests[i] += condition.column.name + " " + condition.cells[i];
+        if (!condition.column.unit.empty()) tests[i] += " " + condition.column.unit;
+    }
+}
+
+/// Parts the tests by columns of conditions, and names the columns that may tell tests apart.
+void look_for_conditions(const std::vector<Texts>& columns, const std::vector<double>& loads,
+                         PointTexts& found) {
+    for (const Texts& each : columns) {
+        if (!each.column.set_point_of.empty()) continue;
+        const bool recurs = recurs_within_tests(each.cells, loads, found);
+        const bool water = found.tests.empty() && names_water_content(each.column) &&
+                           tells_tests_apart(each.cells, loads, found.roles);
+        if (water || (recurs && names_condition(each.column)))
+            part_by(each, found.tests);
+        else if (recurs)
+            found.doubtful.push_back(each.column.name);
+    }
+}
+
 }  // namespace
 
 PointTexts texts_of_points(const Block& block, const std::vector<Title>& titles) {
     PointTexts found;
     const std::vector<double> loads = loads_of(block);
-    std::vector<std::pair<std::string, std::vector<std::string>>> others;
+    std::vector<Texts> others;
     for (std::size_t i = 0; i < block.columns.size(); ++i) {
         const BlockColumn& column = block.columns[i];
         if (!column.quantity.empty()) continue;
@@ -139,17 +374,19 @@ PointTexts texts_of_points(const Block& block, const std::vector<Title>& titles)
         if (!roles.empty())
             found.roles = std::move(roles);
         else if (std::vector<std::string> texts = texts_in(block.table, i); !texts.empty())
-            others.emplace_back(column.name, std::move(texts));
+            others.push_back({column, std::move(texts)});
     }
-    for (const auto& [name, texts] : others)
+    for (const auto& [column, texts] : others)
         if (found.tests.empty() &&
-            ((names_tests(name) && tells_tests_apart(texts, loads, found.roles)) ||
+            ((names_tests(column.name) && tells_tests_apart(texts, loads, found.roles)) ||
              (!any_number(texts) && stands_in_groups(texts))))
             found.tests = texts;
-    if (!found.tests.empty()) return found;
-    std::vector<std::string> above = titles_above(block.table, titles);
-    if (!above.empty() && tells_tests_apart(above, loads, found.roles))
-        found.tests = std::move(above);
+    if (found.tests.empty()) {
+        std::vector<std::string> above = titles_above(block.table, titles);
+        if (!above.empty() && tells_tests_apart(above, loads, found.roles))
+            found.tests = std::move(above);
+    }
+    look_for_conditions(others, loads, found);
     return found;
 }
 

@@ -16,6 +16,9 @@ struct PointTexts {
     /// Role of each row that is no point of failure, as `roles_in_column`; empty: no column states
     /// any.
     std::vector<std::string> roles;
+    /// Names of columns at whose different values the same loads recur within a test, so that they
+    /// may tell tests apart, or repeats.
+    std::vector<std::string> doubtful = {};
 };
 
 /// Whether a column of this name names materials, samples or the like, of which each has a locus.
@@ -24,7 +27,9 @@ bool names_tests(std::string_view name);
 /// Returns what the texts of a table of points say. A column tells tests apart if its name is one
 /// of those that people give to materials and samples, and each of its texts or numbers stands at
 /// two loads at least, preshears aside, or if each of its texts stands in three rows in succession.
-/// Without such a column, titles between the rows do if below each stand two loads at least.
+/// Without such a column, titles between the rows do if below each stand two loads at least. A
+/// column of a condition, such as a temperature or a water content, parts the points further where
+/// the same loads recur at its different values.
 PointTexts texts_of_points(const Block& table, const std::vector<Title>& titles);
 
 }  // namespace pendular

@@ -287,6 +287,11 @@ std::string file_text(const Remark& fault) {
                 "{} of {} points have a stress of nines alone, which does not go with the others.",
                 fault.count, fault.of);
         case Kind::returning_load:
+            if (!fault.names.empty())
+                return fmt::format(
+                    "points at different values of the column '{}' have the same "
+                    "normal stresses, and count as points of one test.",
+                    fmt::join(fault.names, "' and '"));
             return fmt::format(
                 "{} of {} points of failure stand at a normal stress that returns, each before one "
                 "at a lower normal stress, as preshears do.",
@@ -347,6 +352,9 @@ std::string done_about(const Remark& fault) {
         case Kind::impossible_points:
             return "They are not used. If such a number stands for no value, leave its cell empty.";
         case Kind::returning_load:
+            if (!fault.names.empty())
+                return "If each value is a test of its own, name the column 'Test'; if the points "
+                       "are repeats of one test, nothing is to be done.";
             return "They count as points of failure; if they are preshears, say so in a column "
                    "that has \"preshear\" in these rows and \"shear\" in the others.";
         case Kind::falling_line:

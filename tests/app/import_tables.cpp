@@ -62,6 +62,50 @@ TEST(OwnFiles, PointsOfFailureOfABegunStudySaySo) {
     EXPECT_EQ(run_pendular("import " + study).code, 0);
 }
 
+/// Groups of a table are of one material or of several: no study pools them in silence.
+TEST(OwnFiles, BegunStudiesHoldOneGroupOfPoints) {
+    const TemporaryFolder folder;
+    const auto file =
+        folder.write("points.csv",
+                     "Matériau;Contrainte normale (kPa);Contrainte tangentielle (kPa)\n"
+                     "Billes 1 mm;2;1.25\nBilles 1 mm;4;2.33\nBilles 1 mm;6;3.38\n"
+                     "Billes/2 mm;2;1.375\nBilles/2 mm;4;2.563\nBilles/2 mm;6;3.718\n"
+                     "eau, 2 %;2;1.475\neau, 2 %;4;2.663\neau, 2 %;6;3.818\n");
+    const std::string study = (folder.path() / "study").string();
+    const Outcome run = run_pendular("import " + file.string() + " --study " + study);
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const std::string toml = content_of(study + "/study.toml");
+    const std::size_t said = run.output.find("points.csv holds");
+    ASSERT_NE(said, std::string::npos) << run.output;
+    expect_told({run.output.substr(said, run.output.find('\n', said) - said), toml,
+                 content_of(study + "/failure_Billes_2_mm.csv")});
+    EXPECT_EQ(run_pendular("import " + study).code, 0);
+    EXPECT_TRUE(std::filesystem::exists(study + "/failure_eau_2.csv"));
+}
+
+/// Rows of the points of failure in a begun study, without the header.
+std::string failures_of(const std::string& table, std::string* toml = nullptr) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("points.csv", table).string(),
+                      study = (folder.path() / "study").string();
+    EXPECT_EQ(run_pendular("import " + file + " --study " + study).code, 0);
+    if (toml) *toml = content_of(study + "/study.toml");
+    return content_of(study + "/failure.csv");
+}
+
+TEST(OwnFiles, BegunStudiesKeepStatedErrors) {
+    std::string toml;
+    EXPECT_THAT(failures_of("Normal stress [kPa];Shear stress [kPa];Shear stress_sd [kPa]\n"
+                            "2;1.25;0.03\n4;2.33;0.05\n6;3.38;0.06\n",
+                            &toml),
+                AllOf(HasSubstr("2000,1250,30,"), HasSubstr("6000,3380,60,")));
+    EXPECT_THAT(toml, Not(HasSubstr("no errors")));
+    EXPECT_THAT(
+        failures_of("Normal stress [kPa];Shear stress [kPa]\n2;1.25\n4;2.33\n6;3.38\n", &toml),
+        HasSubstr("2000,1250,12.5,"));
+    EXPECT_THAT(toml, HasSubstr("GUESS: no errors are stated, and shear_stress_se is 1 %"));
+}
+
 TEST(ImportFile, RefusesOneFileForTwoTablesOrTwice) {
     const TemporaryFolder folder;
     const std::string file = folder.write("points.csv", two_preshears).string(),

@@ -88,6 +88,8 @@ TEST(MarkedPreshears, AreNoPointsOfFailure) {
           std::tuple("preshear", "1", "0"), std::tuple("Vorscheren", "ja", ""),
           std::tuple("Comment", "steady-state flow", "incipient flow"),
           std::tuple("Point", "pre", "s1"), std::tuple("Phase", "stationär", "Peak"),
+          std::tuple("Preshear", "TRUE", "FALSE"), std::tuple("Type", "PC", "C"),
+          std::tuple("Preshear", "x", ""), std::tuple("Estado", "crítico", "pico"),
           std::tuple("Preshear", "3", "0")}) {
         const FileView view = points(marked(name, preshear, shear));
         EXPECT_THAT(cohesions(view), testing::ElementsAre(testing::DoubleNear(826, 1)))
@@ -262,6 +264,157 @@ TEST(NumbersForNoValue, AreNoPoints) {
     // A tester that turns the other way.
     EXPECT_THAT(told(points("Normal stress [kPa],Shear stress [kPa]\n1,-0.7\n2,-1.2\n3,-1.7\n")),
                 IsEmpty());
+}
+
+/// Points of two tests at the same loads, on 200 Pa + 0.51 s and 600 Pa + 0.51 s, which a column
+/// tells apart.
+std::string told_apart_by(const std::string& name, const std::string& first = "9",
+                          const std::string& second = "12") {
+    std::string text = name + ";Normal stress [kPa];Shear stress [kPa]\n";
+    for (const auto& [value, more] : {std::pair(first, 0.0), std::pair(second, 0.4)})
+        for (const double load : {1.0, 2.0, 3.0, 4.0})
+            text += fmt::format("{};{};{}\n", value, load, 0.2 + 0.51 * load + more);
+    return text;
+}
+
+TEST(LevelsOfConsolidation, ArePreshears) {
+    for (const char* const name :
+         {"Charge de précisaillement (kPa)", "Pre-consolidation normal stress [kPa]",
+          "Consolidation (kPa)", "Préconsolidation (kPa)", "Tension de préconsolidation (kPa)",
+          "Precarico (kPa)", "Nivel de consolidación (kPa)", "Sforzo di consolidazione [kPa]"}) {
+        const FileView view = points(told_apart_by(name));
+        ASSERT_THAT(view.loci, SizeIs(2)) << name;
+        ASSERT_TRUE(view.loci[1].preshear) << name;
+        EXPECT_EQ(view.loci[1].preshear->normal_stress, 12000) << name;
+    }
+    // Without a unit, numbers of levels are no stresses.
+    EXPECT_THAT(points(told_apart_by("Consolidation level", "1", "2")).loci, SizeIs(2));
+    EXPECT_FALSE(points(told_apart_by("Consolidation level", "1", "2")).loci[0].preshear);
+}
+
+/// Most water contents are ratios of masses, and none is taken for a liquid content.
+TEST(WaterContents, PartTheLociOfATable) {
+    for (const char* const name :
+         {"Water content (%)", "Teneur en eau (%)", "w (%)", "Umidità (%)", "Contenuto d'acqua [%]",
+          "Humedad (%)", "Taux de liquide (ml/g)", "Wassergehalt [%]", "Feuchte (%)"}) {
+        const FileView view = points(told_apart_by(name, "0", "2"));
+        EXPECT_THAT(cohesions(view), testing::Pointwise(testing::DoubleNear(1e-6), {200.0, 600.0}))
+            << name;
+        EXPECT_FALSE(view.loci[1].points[0].liquid_content) << name;
+    }
+    EXPECT_EQ(points(told_apart_by("Water content (%)", "0", "2")).loci[1].test,
+              "Water content 2 %");
+}
+
+TEST(ColumnsOfNumbers, PartLociOrAreTold) {
+    for (const char* const name :
+         {"Essai n°", "Prueba", "Level", "Niveau", "Preshear level", "Diamètre (mm)",
+          "Diameter [mm]", "Temperature [°C]", "Humidité relative (%)", "Velocity (mm/min)"})
+        EXPECT_THAT(points(told_apart_by(name, "1", "2")).loci, SizeIs(2)) << name;
+    for (const char* const name : {"Repeat", "Wiederholung", "Xyz", "Operator"})
+        EXPECT_THAT(points(told_apart_by(name, "1", "2")).loci, SizeIs(1)) << name;
+    expect_told(told(points(told_apart_by("Repeat", "1", "2"))));
+    // A temperature that drifts, and a counter of rows.
+    EXPECT_THAT(told(points("Nr;Temperature [°C];Normal stress [kPa];Shear stress [kPa]\n"
+                            "1;22.1;1;0.7\n2;22.1;2;1.2\n3;22.3;3;1.7\n4;22.3;4;2.2\n")),
+                IsEmpty());
+}
+
+/// Rows sorted by load, as spreadsheets leave them.
+std::string sorted_repeats(int repeats, const std::string& mean = "") {
+    std::string text = "Normal stress [kPa];Shear stress [kPa];n\n";
+    for (const double load : {2.0, 4.0, 6.0, 8.0}) {
+        for (int k = 0; k < repeats; ++k)
+            text += fmt::format("{};{:.4f};{}\n", load,
+                                0.2 + 0.51 * load + 0.02 * (k - (repeats - 1) / 2.0), k + 1);
+        if (!mean.empty()) text += fmt::format("{};{:.4f};{}\n", load, 0.2 + 0.51 * load, mean);
+    }
+    return text;
+}
+
+TEST(RepeatsSortedByLoad, ArePoints) {
+    for (const int repeats : {2, 3, 4, 5, 8}) {
+        const FileView view = points(sorted_repeats(repeats));
+        ASSERT_THAT(view.loci, SizeIs(1)) << repeats;
+        EXPECT_EQ(std::ssize(view.loci[0].points), 4 * repeats);
+        EXPECT_THAT(cohesions(view), testing::ElementsAre(testing::DoubleNear(200, 1e-6)));
+    }
+}
+
+TEST(LinesOfStatistics, StandBelowEachGroup) {
+    for (const int repeats : {2, 3})
+        for (const char* const mean : {"mean", "moyenne", "Mittelwert"}) {
+            const FileView view = points(sorted_repeats(repeats, mean));
+            ASSERT_THAT(view.loci, SizeIs(1)) << mean;
+            EXPECT_EQ(std::ssize(view.loci[0].points), 4 * repeats) << mean;
+        }
+}
+
+const std::string four_points =
+    "Contrainte normale (kPa);Contrainte de cisaillement (kPa)\n2.0;1.25\n4.0;2.33\n6.0;3.38\n"
+    "8.0;4.47\n";
+
+TEST(LinesOfStatistics, MayHaveNoLabel) {
+    for (const char* const below : {"5.0;2.8575\n2.58199;1.38268\n", "5.0;2.8575\n"})
+        EXPECT_THAT(points(four_points + below).loci.at(0).points, SizeIs(4)) << below;
+    EXPECT_THAT(points(four_points + "5.0;2.86\n").loci.at(0).points, SizeIs(5))
+        << "a point with as many decimals as the others";
+}
+
+TEST(ResultsBelowPoints, AreNoPoints) {
+    for (const char* const below :
+         {"pente;0.5355\nordonnée;0.18\nangle (°);28.2\n", "\ntan φ;0.5355\nc (kPa);0.18\n",
+          "\nc;0.18\nphi;28.2\n", "R²;0.999\n", "\nCoesione (kPa);0.18\nAngolo;28.2\n",
+          "slope;0.5355\nintercept;0.18\n", "\nSteigung;0.5355\nAchsenabschnitt;0.18\n",
+          "\nNiveau;FFc\n1;5.2\n2;6.3\n",
+          "\nContrainte principale majeure (kPa);Résistance non confinée (kPa)\n9.1;0.6\n"
+          "18.2;1.0\n"}) {
+        const FileView view = points(four_points + below);
+        ASSERT_THAT(view.loci, SizeIs(1)) << below;
+        EXPECT_THAT(view.loci[0].points, SizeIs(4)) << below;
+        EXPECT_FALSE(view.file.skipped.empty()) << below;
+    }
+    // Samples whose names are those letters.
+    EXPECT_THAT(points("Sample;Normal stress [kPa];Shear stress [kPa]\nA;1;0.71\nB;2;1.22\n"
+                       "C;3;1.73\nR;4;2.24\n")
+                    .loci.at(0)
+                    .points,
+                SizeIs(4));
+}
+
+TEST(TitlesBetweenRows, MayStatePreshears) {
+    const FileView view = points(titled("Pretaglio 4 kPa;;\n", "Pretaglio 8 kPa;;\n"));
+    ASSERT_THAT(view.loci, SizeIs(2));
+    ASSERT_TRUE(view.loci[0].preshear && view.loci[1].preshear);
+    EXPECT_EQ(view.loci[0].preshear->normal_stress, 4000);
+    EXPECT_EQ(view.loci[1].preshear->normal_stress, 8000);
+    for (const char* const title :
+         {"Sand 4 kPa;;\n", "Preshear 4 kPa, shear stress 2 kPa;;\n", "Preshear 4;;\n"})
+        EXPECT_FALSE(points(titled(title, "Sand B;;\n")).loci.at(0).preshear) << title;
+}
+
+TEST(NamesOfStresses, SayHowTheyWereRead) {
+    for (const auto& [normal, shear] :
+         {std::pair("Contrainte normale nominale (kPa)", "Contrainte de cisaillement au pic (kPa)"),
+          std::pair("Tensión normal (kPa)", "Resistencia al corte (kPa)"),
+          std::pair("Sforzo normale (kPa)", "Resistenza di picco (kPa)"),
+          std::pair("Sforzo normale (kPa)", "Sforzo di taglio medio (kPa)"),
+          std::pair("Normal stress [kPa]", "Shear stress peak [kPa]"),
+          std::pair("Normal stress [kPa]", "Mean shear stress [kPa]")})
+        EXPECT_THAT(
+            cohesions(points(fmt::format("{};{}\n1;0.71\n2;1.22\n3;1.73\n", normal, shear))),
+            testing::ElementsAre(testing::DoubleNear(200, 1e-6)))
+            << shear;
+}
+
+TEST(MissingPoints, HaveMarksOfOtherLanguages) {
+    for (const char* const mark : {"#N/D", "s/d", "n.m.", "s.o.", "n.c."})
+        EXPECT_THAT(points("Normal stress [kPa];Shear stress [kPa]\n1;0.71\n2;" +
+                           std::string(mark) + "\n3;1.73\n4;2.24\n")
+                        .loci.at(0)
+                        .points,
+                    SizeIs(3))
+            << mark;
 }
 
 }  // namespace pendular::data_point_tables_test

@@ -41,7 +41,9 @@ struct Title {
 /// Interval of a file: rows under one header, such as a step of a rheometer's test. What the file
 /// does not state is empty or 0.
 struct Block {
-    std::string test;                         ///< name of the test to which the interval belongs
+    std::string test;  ///< name of the test to which the interval belongs
+    /// Name of the group of a point of failure: that of its test without a liquid content.
+    std::string group = {};
     std::string name;                         ///< such as "Peak hold - 1"
     int number = 0;                           ///< of the interval in its test, from 1
     std::string stated_role = {};             ///< one of `interval_roles`

@@ -257,7 +257,7 @@ void take_statistics_below(SourceLines& source, std::size_t first, char delimite
         places.push_back(i);
         rows.push_back(source.row(i, delimiter));
     }
-    for (std::size_t k = rows_above_statistics(rows); k < places.size(); ++k) {
+    for (const std::size_t k : rows_of_statistics(rows)) {
         source.lines[places[k]] = {};
         skip_line(file, static_cast<int>(places[k]) + 1, Remark::Kind::after_interval);
     }

@@ -92,10 +92,15 @@ struct Statistics {
     }
 };
 
-Statistics statistics_of(const std::vector<Row>& rows, std::size_t count, std::size_t column) {
+/// Rows from the first to that before the last.
+struct Range {
+    std::size_t begin = 0, end = 0;
+};
+
+Statistics statistics_of(const std::vector<Row>& rows, Range range, std::size_t column) {
     Statistics found;
     std::vector<double> values;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = range.begin; i < range.end; ++i)
         if (column < rows[i].cells.size())
             if (const auto number = number_in(rows[i].cells[column].text))
                 values.push_back(*number);
@@ -107,19 +112,25 @@ Statistics statistics_of(const std::vector<Row>& rows, std::size_t count, std::s
     return found;
 }
 
-/// Half of the last place of a number as it is written, and a little for rounding twice.
-double half_of_last_place(std::string text) {
+std::size_t decimals_of(std::string text) {
     std::ranges::replace(text, ',', '.');
     const std::size_t point = text.find('.');
     const std::size_t end = std::min(text.find_first_of("eE"), text.size());
-    const auto decimals = point == std::string::npos ? 0.0 : static_cast<double>(end - point - 1);
-    return 0.55 * std::pow(10.0, -decimals);
+    return point >= end ? 0 : end - point - 1;
+}
+
+/// Half of the last place of a number as it is written, and a little for rounding twice.
+double half_of_last_place(const std::string& text) {
+    return 0.55 * std::pow(10.0, -static_cast<double>(decimals_of(text)));
 }
 
 /// Whether the numbers of a row are one statistic of the columns above. One number alone may be so
 /// by chance.
-bool is_computed(const Row& row, const std::vector<Row>& rows, std::size_t count) {
+/// @param fewest_rows with a number in each of its columns
+bool is_computed(const Row& row, const std::vector<Row>& rows, Range range,
+                 double fewest_rows = 3) {
     constexpr std::size_t kinds = 9, fewest_numbers = 2;
+    constexpr double unrounded = 3e-5;  // computed from values with more digits than are written
     std::array<bool, kinds> agrees;
     agrees.fill(true);
     std::size_t numbers = 0;
@@ -127,14 +138,84 @@ bool is_computed(const Row& row, const std::vector<Row>& rows, std::size_t count
         const std::string& text = row.cells[column].text;
         const auto number = number_in(text);
         if (!number) continue;
-        const Statistics above = statistics_of(rows, count, column);
-        if (above.n < 3) return false;
+        const Statistics above = statistics_of(rows, range, column);
+        if (above.n < fewest_rows) return false;
         ++numbers;
         const std::vector<double> all = above.all();
         for (std::size_t k = 0; k < kinds; ++k)
-            agrees[k] = agrees[k] && std::abs(*number - all[k]) <= half_of_last_place(text);
+            agrees[k] = agrees[k] && std::abs(*number - all[k]) <=
+                                         half_of_last_place(text) + unrounded * std::abs(all[k]);
     }
     return numbers >= fewest_numbers && std::ranges::any_of(agrees, [](bool each) { return each; });
+}
+
+/// Whether a number of a row has more decimals than all above it, as computed ones have.
+bool is_finer(const Row& row, const std::vector<Row>& rows, Range range) {
+    for (std::size_t column = 0; column < row.cells.size(); ++column) {
+        if (!number_in(row.cells[column].text)) continue;
+        std::size_t most = 0;
+        for (std::size_t i = range.begin; i < range.end; ++i)
+            if (column < rows[i].cells.size())
+                most = std::max(most, decimals_of(rows[i].cells[column].text));
+        if (decimals_of(row.cells[column].text) > most) return true;
+    }
+    return false;
+}
+
+/// Words and letters that begin the name of a result of a line, or of a yield locus, as
+/// `folded_name` has them ("cosione").
+bool names_result(std::string_view text) {
+    constexpr std::string_view results =
+        "slope pente steigung pendiente pendenza intercept ordonnee achsenabschnitt ordenada "
+        "intercetta r2 r² r c phi φ ϕ tan tanφ tanphi angle angolo angulo winkel cohesion "
+        "kohasion cosione adhesion adherence ffc fc σc σ1 friction frottement attrito rozamiento "
+        "reibungswinkel reibung flowability coulabilite fließfahigkeit fliessfahigkeit ucs mu μ "
+        "b a resistance";
+    const std::vector<std::string> words = words_of(text);
+    return !words.empty() && is_among(results, words.front());
+}
+
+/// Whether a row is a result with its name, in a column of numbers: "pente;0,53", or "R² = 0,99"
+/// alone.
+bool is_result(const Row& row, const std::vector<Row>& rows) {
+    std::size_t numbers = 0, first = row.cells.size();
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        if (row.cells[i].text.empty()) continue;
+        first = std::min(first, i);
+        numbers += number_in(row.cells[i].text).has_value();
+    }
+    if (numbers > 1 || first >= rows.front().cells.size() ||
+        !number_in(rows.front().cells[first].text) || number_in(row.cells[first].text))
+        return false;
+    return names_result(row.cells[first].text);
+}
+
+/// Whether a row has the names of two results or more, with nothing else: the head of a table of
+/// results.
+bool heads_results(const Row& row) {
+    std::size_t texts = 0, results = 0;
+    for (const Cell& cell : row.cells) {
+        if (cell.text.empty()) continue;
+        if (number_in(cell.text)) return false;
+        ++texts;
+        results += names_result(cell.text);
+    }
+    return texts > 1 && results > 0;
+}
+
+/// The first cell of a row that names a statistic; empty if none does.
+std::string named_statistic(const Row& row) {
+    for (const Cell& cell : row.cells)
+        if (!number_in(cell.text) && names_statistic(cell.text)) return cell.text;
+    return "";
+}
+
+/// Whether a row names a statistic that its neighbours do not: several rows of one name in
+/// succession are those of a sample.
+bool names_statistic_alone(const std::vector<Row>& rows, std::size_t i) {
+    const std::string name = named_statistic(rows[i]);
+    return !name.empty() && (i == 0 || named_statistic(rows[i - 1]) != name) &&
+           (i + 1 == rows.size() || named_statistic(rows[i + 1]) != name);
 }
 
 }  // namespace
@@ -147,6 +228,9 @@ bool names_statistic(std::string_view text) {
            });
 }
 
+namespace {
+
+/// Number of rows above the statistics and results below a table.
 std::size_t rows_above_statistics(const std::vector<Row>& rows) {
     constexpr std::size_t most_statistics = 8, fewest_rows = 3;
     std::vector<std::string> labels;
@@ -154,20 +238,46 @@ std::size_t rows_above_statistics(const std::vector<Row>& rows) {
         labels.push_back(label_of(row));
     const auto states_statistic = [&](std::size_t i, std::size_t count) {
         const std::string& label = labels[i];
-        if (label.empty() || std::ranges::count(labels, label) > 1) return false;
+        const Range above = {0, count};
+        if (is_result(rows[i], rows)) return true;
+        if (label.empty())
+            return is_computed(rows[i], rows, above) && is_finer(rows[i], rows, above);
+        if (std::ranges::count(labels, label) > 1) return false;
         // "B1" is a further sample, even in the middle of the others.
         const bool numbered = std::isdigit(static_cast<unsigned char>(label.back())) != 0;
-        return names_statistic(label) || (!numbered && is_computed(rows[i], rows, count));
+        return names_statistic(label) || (!numbered && is_computed(rows[i], rows, above));
     };
     const std::size_t least =
         std::max(fewest_rows, rows.size() - std::min(rows.size(), most_statistics));
     for (std::size_t count = least; count < rows.size(); ++count) {
-        bool all = true;
-        for (std::size_t i = count; all && i < rows.size(); ++i)
-            all = states_statistic(i, count);
+        bool all = true, results = false;
+        for (std::size_t i = count; all && i < rows.size(); ++i) {
+            results = results || heads_results(rows[i]);
+            all = results || states_statistic(i, count);
+        }
         if (all) return count;
     }
     return rows.size();
+}
+
+}  // namespace
+
+std::vector<std::size_t> rows_of_statistics(const std::vector<Row>& rows) {
+    constexpr double fewest_repeats = 2;
+    const std::size_t count = rows_above_statistics(rows);
+    std::vector<std::size_t> found;
+    Range above;  // rows since the last statistics
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool behind_statistic = !found.empty() && found.back() + 1 == i;
+        if (!behind_statistic) above.end = i;
+        if (names_statistic_alone(rows, i) && is_computed(rows[i], rows, above, fewest_repeats))
+            found.push_back(i);
+        else if (behind_statistic)
+            above = {i, i};
+    }
+    for (std::size_t i = count; i < rows.size(); ++i)
+        found.push_back(i);
+    return found;
 }
 
 }  // namespace pendular

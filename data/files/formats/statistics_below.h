@@ -12,11 +12,14 @@ namespace pendular {
 /// dev.", "Mittelwert". Names with further words, "Mean flow" or "Max-1", are those of samples.
 bool names_statistic(std::string_view text);
 
-/// Returns how many rows of a table are rows; the last ones, if fewer, state statistics of their
-/// columns. Such a row has a label that no other row has: one of the words above or, in any
-/// language, of numbers that are means, standard deviations (of n or n - 1 values), their ratio,
-/// standard errors, variances or sums of the columns above to the digits that are written.
+/// Returns the indices of the rows that state statistics or results of a table in place of values:
+/// - the last rows, of a label that no other row has: one of the words above or, in any language,
+///   of numbers that are means, standard deviations (of n or n - 1 values), their ratio, standard
+///   errors, variances or sums of the columns above to the digits that are written; without a
+///   label, of such numbers with more decimals than all above;
+/// - results of a line among the last rows ("pente;0,53"), and a table of them below its names;
+/// - rows with a word above anywhere that state such numbers of the rows since the last of them.
 /// @param rows all rows below the names, in order
-std::size_t rows_above_statistics(const std::vector<Row>& rows);
+std::vector<std::size_t> rows_of_statistics(const std::vector<Row>& rows);
 
 }  // namespace pendular
