@@ -295,6 +295,22 @@ void convert_lever_forces(IntervalSeries& series, const AnnularCell& cell) {
             series.normal_stress.push_back(normal_stress(force, cell));
 }
 
+/// Adds the saturations of steady shear at one speed and load: several levels may each be held
+/// exactly. Numbers for no value that are told already are none.
+void add_saturations(FileView& view) {
+    const auto told = [&](const Remark& saturation) {
+        return std::ranges::any_of(view.findings, [&](const Remark& finding) {
+            return finding.kind == Remark::Kind::far_values && !finding.corrected &&
+                   finding.quantity == saturation.quantity;
+        });
+    };
+    for (std::size_t i = 0; i < view.series.size(); ++i) {
+        if (view.roles[i].role != "steady" || steps_of(view.series[i]).size() > 1) continue;
+        auto found = saturated_shear(view.file.file, view.series[i]);
+        if (found && !told(*found)) view.findings.push_back(*std::move(found));
+    }
+}
+
 }  // namespace
 
 std::vector<std::string_view> possible_quantities(const BlockColumn& candidate,
@@ -331,10 +347,7 @@ FileView view_of_file(const std::filesystem::path& path, const FileFormat& forma
     append(view.findings, check_file(view.file, view.series, view.cell));
     append(view.findings, far_values(view.file));
     append(view.findings, cycles_in_one_interval(view.file, view.series));
-    for (std::size_t i = 0; i < view.series.size(); ++i)
-        if (view.roles[i].role == "steady")
-            if (auto found = saturated_shear(view.file.file, view.series[i]))
-                view.findings.push_back(*std::move(found));
+    add_saturations(view);
     view.stated = stated_cell(view.file);
     if (study_cell) append(view.findings, header_against_study(view.file, *study_cell));
     view.loci = yield_loci(view.file, view.series, view.roles, format.prorate);
