@@ -203,7 +203,7 @@ def test_a_study_begins_with_a_folder_of_files(example, tmp_path):
     assert len(study.readings["readings"]) == 6
     assert not (study.folder / "notes.txt").exists()
     text = (study.folder / "study.toml").read_text()
-    assert "GUESS: the file does not state the diameter" in text and "2500" not in text
+    assert "GUESS: no diameter was found in the file" in text and "2500" not in text
     named = pendular.begin([files / "dry_2.csv"], tmp_path / "named", store=False)
     assert list(named.recordings) == ["dry_2.csv"]
     # A file that is named must be readable, as the command line has it.
