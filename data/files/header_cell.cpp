@@ -309,8 +309,8 @@ HeaderCell taken_apart(std::string_view written) {
 
 HeaderCell parse_header_cell(std::string_view written) {
     // One layout after the other asks for the names in a file, of which each takes microseconds.
-    // Longer ones are rare, and of more than a screen no names.
-    constexpr std::size_t most_known = 1000, longest = 200, longest_name = 2000;
+    // Longer ones are rare, and what fills 100 kB is no name.
+    constexpr std::size_t most_known = 1000, longest = 200, longest_name = 100'000;
     if (written.size() > longest_name) return {std::string(written), ""};
     if (written.size() > longest) return taken_apart(written);
     thread_local std::unordered_map<std::string, HeaderCell> known;
