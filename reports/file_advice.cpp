@@ -36,15 +36,6 @@ bool lacks(const FileView& view, std::string_view name) {
 
 namespace {
 
-/// Why the unit of a column cannot be that of its quantity.
-std::string why_not(const BlockColumn& column) {
-    try {
-        return wrong_dimension(Unit(column.unit), Unit(quantity(column.quantity).unit));
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-}
-
 /// How study.toml names a file in [[readings]]: a sheet by a key of its own.
 std::string file_in_study(const std::filesystem::path& path) {
     if (const auto part = as_sheet(path))
@@ -69,8 +60,8 @@ std::string candidate_sentence(const BlockColumn& column, const FileView& view) 
             "file by --columns: {}",
             column.name, column.unit, meanings,
             line_to_name(column.quantity, column.name, column.unit));
-    std::string text =
-        fmt::format("Column '{} [{}]' is not used: {}", column.name, column.unit, why_not(column));
+    std::string text = fmt::format("Column '{} [{}]' is not used: {}", column.name, column.unit,
+                                   why_unit_is_wrong(column.unit, column.quantity));
     if (!text.ends_with('?')) text += '.';
     if (const std::string weight = weight_meant(column.unit);
         !weight.empty() && unit_fits(weight, column.quantity))

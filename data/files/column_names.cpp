@@ -308,6 +308,14 @@ bool unit_fits(std::string_view unit, std::string_view quantity_name) {
     }
 }
 
+std::string why_unit_is_wrong(std::string_view unit, std::string_view quantity_name) {
+    try {
+        return wrong_dimension(Unit(unit), Unit(quantity(quantity_name).unit));
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
 namespace {
 
 /// Whether a name is a letter, or the name of a Greek one, and no word.

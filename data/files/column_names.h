@@ -20,6 +20,10 @@ struct ColumnMeaning {
 /// Whether a unit can be that of a quantity; a missing unit can.
 bool unit_fits(std::string_view unit, std::string_view quantity_name);
 
+/// Why a unit that does not fit a quantity is none of it: the message of `Unit`, or
+/// `wrong_dimension`.
+std::string why_unit_is_wrong(std::string_view unit, std::string_view quantity_name);
+
 /// Returns the quantity that a column of a table has by one of the program's own names
 /// (`find_quantity`); null for none. A symbol such as φ or T whose unit is that of something else,
 /// an angle or a temperature, is none; a word such as "Speed" stays, so that its unit is refused.

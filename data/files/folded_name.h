@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,13 @@ namespace pendular {
 /// are equal. The German "oe" counts as "ö", which becomes "o". Accents on other letters stay: "γ̇"
 /// is a rate, "γ" a strain.
 std::string folded_name(std::string_view name);
+
+/// Whether a name, folded already, is one of a list of names.
+template <class Names>
+bool is_among_names(std::string_view folded, const Names& names) {
+    return std::ranges::any_of(names,
+                               [&](std::string_view each) { return folded_name(each) == folded; });
+}
 
 /// Text in lower case, with letters and accents together: "öl" for "ÖL", whichever way a system
 /// writes them.

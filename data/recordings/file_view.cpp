@@ -150,13 +150,8 @@ std::string wrong_unit(const Block& block) {
     for (const BlockColumn& column : block.columns) {
         const std::string_view named = meaning_of_column(column.name, "").quantity;
         if (column.unit.empty() || named.empty() || unit_fits(column.unit, named)) continue;
-        std::string why;
-        try {
-            why = wrong_dimension(Unit(column.unit), Unit(quantity(named).unit));
-        } catch (const std::invalid_argument& error) {
-            why = error.what();
-        }
-        return fmt::format("column '{} [{}]': {}", column.name, column.unit, why);
+        return fmt::format("column '{} [{}]': {}", column.name, column.unit,
+                           why_unit_is_wrong(column.unit, named));
     }
     return "";
 }

@@ -122,9 +122,7 @@ bool names_tests(std::string_view name) {
                                   "niveau de précisaillement",
                                   "nivel de consolidación",
                                   "livello di consolidazione"};
-    const std::string wanted = folded_name(name);
-    return std::ranges::any_of(names,
-                               [&](std::string_view each) { return folded_name(each) == wanted; });
+    return is_among_names(folded_name(name), names);
 }
 
 namespace {
@@ -164,10 +162,8 @@ bool names_water_content(const BlockColumn& column) {
                                   "volume of liquid",
                                   "added water",
                                   "watergehalte"};
-    const std::string wanted = folded_name(column.name);
     return (column.name == "w" && column.unit == "%") ||
-           std::ranges::any_of(names,
-                               [&](std::string_view each) { return folded_name(each) == wanted; });
+           is_among_names(folded_name(column.name), names);
 }
 
 /// Whether a column has a condition of tests, of which each value may have a locus.
@@ -216,10 +212,7 @@ bool names_condition(const BlockColumn& column) {
                                   "pretaglio",
                                   "rh",
                                   "hr"};
-    const std::string wanted = folded_name(column.name);
-    return names_water_content(column) || std::ranges::any_of(names, [&](std::string_view each) {
-               return folded_name(each) == wanted;
-           });
+    return names_water_content(column) || is_among_names(folded_name(column.name), names);
 }
 
 /// Load of each row, a normal stress or force in the unit of its column; empty if no column or a

@@ -145,10 +145,7 @@ StatedCell stated_cell(const BlockFile& file) {
     StatedCell cell;
     for (const StatedFact& fact : stated_facts(file)) {
         for (const CellFact& each : cell_facts()) {
-            const auto is_name = [&](std::string_view name) {
-                return folded_name(name) == fact.name;
-            };
-            if (cell.*each.member || std::ranges::none_of(each.names, is_name)) continue;
+            if (cell.*each.member || !is_among_names(fact.name, each.names)) continue;
             if (const auto value = positive_value(fact, each.unit, file.numbers))
                 cell.*each.member = {each.factor * *value, fact.line, fact.key, fact.text};
         }

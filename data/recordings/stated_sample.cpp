@@ -18,16 +18,11 @@
 namespace pendular {
 namespace {
 
-bool is_one_of(const std::string& folded, const std::vector<std::string_view>& names) {
-    return std::ranges::any_of(names,
-                               [&](std::string_view each) { return folded_name(each) == folded; });
-}
-
 /// First fact with one of these names whose value has the dimension of a unit.
 std::optional<StatedValue> first_of(const BlockFile& file, const std::vector<StatedFact>& facts,
                                     const std::vector<std::string_view>& names, const char* unit) {
     for (const StatedFact& fact : facts) {
-        if (!is_one_of(fact.name, names)) continue;
+        if (!is_among_names(fact.name, names)) continue;
         if (const auto value = positive_value(fact, unit, file.numbers))
             return StatedValue{*value, fact.line, fact.key, fact.text};
     }
@@ -162,8 +157,8 @@ bool names_basis(const std::string& text, const std::vector<std::string_view>& w
 
 std::optional<StatedLiquid> liquid_above(const BlockFile& file) {
     for (const StatedFact& fact : stated_facts(file)) {
-        const bool mass = is_one_of(fact.name, names_by_mass);
-        if (!mass && !is_one_of(fact.name, names_by_volume)) continue;
+        const bool mass = is_among_names(fact.name, names_by_mass);
+        if (!mass && !is_among_names(fact.name, names_by_volume)) continue;
         const auto value = content_of(fact, file.numbers);
         if (!value || !(*value < 1)) continue;
         const std::string all = fact.text + " " + fact.unit;

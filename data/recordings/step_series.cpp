@@ -98,9 +98,10 @@ bool significant(const std::vector<double>& magnitudes, std::span<const double> 
 void check_torque_sign(StepSeries& series, const Recording& recording, const Step& step) {
     const std::size_t begin = begin_at_speed(series.angular_velocity);
     if (!turns(std::span(series.angular_velocity).subspan(begin))) return;
-    // Single values of the other sign are spikes.
     std::vector<double> without_spikes = series.torque;
-    replace_spikes(without_spikes);
+    const auto [least, greatest] = std::ranges::minmax(series.torque);
+    // Single values of the other sign are spikes.
+    if (least < 0 && greatest > 0) replace_spikes(without_spikes);
     const auto torques = std::span(without_spikes).subspan(begin);
     std::vector<double> positive, negative;
     for (const double torque : torques) {
@@ -251,12 +252,11 @@ std::optional<SpeedRamp> varying_speed(std::span<const double> angular_velocity)
     const auto part = angular_velocity.subspan(begin_at_speed(angular_velocity));
     if (part.size() < shortest_step) return std::nullopt;
     const SpeedRamp ends = extreme_speeds(medians_of(part, rows));
+    if (ends.factor() <= (1 + settled_speed) / (1 - settled_speed)) return std::nullopt;
     // The median of five values scatters by half of the noise, and rounding moves it by one step.
     const double by_chance =
         std::max(5 * sample_noise(part), 3 * least_step({part.begin(), part.end()}));
-    const bool waves = ends.factor() > (1 + settled_speed) / (1 - settled_speed) &&
-                       ends.last - ends.first > by_chance;
-    return waves ? std::optional(ends) : std::nullopt;
+    return ends.last - ends.first > by_chance ? std::optional(ends) : std::nullopt;
 }
 
 std::vector<std::size_t> take_out_spikes(StepSeries& series) {

@@ -48,8 +48,8 @@ struct Block {
     int number = 0;                           ///< of the interval in its test, from 1
     std::string stated_role = {};             ///< one of `interval_roles`
     std::optional<double> bulk_density = {};  ///< of the sample with its liquid [kg/m^3]
-    std::optional<double> liquid_content =
-        {};  ///< of a point of failure [1], if the file states it
+    /// Liquid content of a point of failure [1], if the file states it.
+    std::optional<double> liquid_content = {};
     /// Normal and shear stress of the preshear of a point of failure [Pa], if the file states them.
     std::optional<double> preshear_normal_stress = {}, preshear_shear_stress = {};
     std::optional<std::size_t> declared_rows;
