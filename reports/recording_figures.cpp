@@ -319,10 +319,12 @@ void set_equal_scales(Figure& figure, double greatest) {
     panel.y_range = {{0, aspect * panel.x_range->second}};
 }
 
-std::string locus_title(const YieldLocus& locus) {
+/// @param named whether the test is named, as one of several
+std::string locus_title(const YieldLocus& locus, bool named) {
     const LinearYieldLocus& line = *locus.line;
-    std::string title = fmt::format(
-        "Cohesion {:.4g} Pa, slope {:.3g}°, unconfined strength {:.4g} Pa", line.cohesion,
+    std::string title = named && !locus.test.empty() ? plain_text(locus.test) + ": c" : "C";
+    title += fmt::format(
+        "ohesion {:.4g}\u00a0Pa, slope {:.3g}°, unconfined strength {:.4g}\u00a0Pa", line.cohesion,
         line.slope_angle * 180 / std::numbers::pi, line.unconfined_strength);
     if (line.flowability)
         title += fmt::format(": flowability {:.3g}, {}", *line.flowability, line.flow_class);
@@ -347,7 +349,7 @@ std::vector<Figure> yield_locus_figures(const FileView& view) {
     for (const YieldLocus& locus : view.loci) {
         if (!locus.line) continue;
         Figure figure{.name = fmt::format("yield_locus_{}", figures.size() + 1),
-                      .title = locus_title(locus),
+                      .title = locus_title(locus, view.loci.size() > 1),
                       .panels = {locus_panel(locus)}};
         set_equal_scales(figure, greatest_stress(locus));
         figures.push_back(std::move(figure));

@@ -74,6 +74,17 @@ TEST(YieldLocusFigures, BeginALineThatFallsBelowZeroOnTheAxis) {
     EXPECT_NEAR(line.y[0], 0, 1e-9);
 }
 
+TEST(YieldLocusFigures, NameTheTestOfEachOfSeveral) {
+    const TemporaryFolder folder;
+    const auto figures = yield_locus_figures(view_of_file(folder.write(
+        "t.csv",
+        "Material;Normal stress [Pa];Shear stress [Pa]\nSand_1;1000;710\nSand_1;2000;1220\n"
+        "Sand_1;3000;1730\nMehl;2000;1400\nMehl;4000;2420\nMehl;6000;3440\n")));
+    ASSERT_EQ(figures.size(), 2u);
+    EXPECT_THAT(unescaped(figures[0].title), testing::StartsWith("Sand_1: cohesion 200"));
+    EXPECT_THAT(figures[1].title, testing::StartsWith("Mehl: cohesion 380"));
+}
+
 TEST(RecordingFigure, IsNotDrawnOfAReport) {
     const FileView view =
         view_of_file(PENDULAR_SOURCE_DIR "/tests/data/formats/yield_locus_report.txt");
