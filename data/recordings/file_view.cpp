@@ -300,9 +300,10 @@ void add_saturations(FileView& view) {
         });
     };
     for (std::size_t i = 0; i < view.series.size(); ++i) {
-        if (view.roles[i].role != "steady" || steps_of(view.series[i]).size() > 1) continue;
+        if (view.roles[i].role != "steady") continue;
         auto found = saturated_shear(view.file.file, view.series[i]);
-        if (found && !told(*found)) view.findings.push_back(*std::move(found));
+        if (found && !told(*found) && steps_of(view.series[i]).size() == 1)
+            view.findings.push_back(*std::move(found));
     }
 }
 

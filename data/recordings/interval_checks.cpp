@@ -99,6 +99,13 @@ void add_far_values(const Block& block, std::size_t index, std::vector<Remark>& 
     remark->count += far.size();
 }
 
+/// Whether all loads are one, told in a pass: the search for steps takes many.
+bool has_one_load(const std::vector<double>& loads) {
+    if (loads.empty()) return true;
+    const auto [least, greatest] = std::ranges::minmax(loads);
+    return is_same_load(least, greatest);
+}
+
 /// Number of times that the largest load returns after a lower one; 0 where no two lower loads
 /// differ, or lower ones follow one another.
 std::size_t returns_of_largest(const std::vector<double>& loads) {
@@ -136,6 +143,7 @@ std::vector<Remark> cycles_in_one_interval(const BlockFile& file,
     constexpr double long_turn = 1;  // as for the roles of intervals
     std::vector<Remark> found;
     for (const IntervalSeries& each : series) {
+        if (has_one_load(each.normal())) continue;
         const std::vector<Step> steps = steps_of(each);
         const auto angle = angle_turned(each);
         if (steps.size() < 4 || !angle || *angle >= long_turn * static_cast<double>(steps.size()))

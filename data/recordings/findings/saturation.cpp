@@ -113,6 +113,16 @@ bool are_equal_spikes(const TopRows& rows) {
     return rows.top > far * next;
 }
 
+/// Whether few rows are at the largest value, told without their resolution, which takes a sort:
+/// within half of that, a row is only at the largest value itself.
+bool has_few_at_top(const std::vector<double>& column) {
+    double top = 0;
+    for (const double value : column)
+        top = std::max(top, std::abs(value));
+    const auto at_top = [&](double value) { return std::abs(value) >= top - band_share * top; };
+    return std::ranges::count_if(column, at_top) < static_cast<std::ptrdiff_t>(least_rows);
+}
+
 Remark saturation_of(const std::string& file, const std::string& quantity, double limit, double p,
                      const std::set<int>& lines) {
     Remark found{
@@ -125,6 +135,7 @@ Remark saturation_of(const std::string& file, const std::string& quantity, doubl
 /// Saturation of the rows of a column at its largest value, if it is certain.
 std::optional<Remark> at_largest(const std::string& file, const std::vector<int>& lines_of_rows,
                                  const std::string& quantity, const std::vector<double>& column) {
+    if (has_few_at_top(column)) return std::nullopt;
     const TopRows rows(column);
     const auto count = std::ranges::count(rows.marked, true);
     if (rows.top == 0 || count < static_cast<std::ptrdiff_t>(least_rows) || !has_sharp_edges(rows))
