@@ -325,7 +325,7 @@ TEST(ReduceRecording, NamesNoSpikesBeforeTheSteadyPart) {
     Recording recording = record({});
     for (std::size_t i = 0; i < recording.size(); ++i) {
         const double after = static_cast<double>(i) - 10;
-        recording.torque[i] *= after < 0 ? 0.1 : 1 + 4 * std::exp(-after);
+        recording.torque[i] *= after < 0 ? 0.1 : 1 + 4 * std::exp(-3 * after);
     }
     const Measurements found = reduce(recording);
     ASSERT_EQ(found.readings.size(), 1u);
