@@ -70,7 +70,10 @@ bool may_hold_errors(const Table& table, std::size_t column) {
     for (const Row& row : table.rows) {
         const std::string& text = row.cells[column].text;
         if (marks_no_value(text)) continue;
-        const auto number = parse_number(text);
+        // The decimal mark of the file is not known yet.
+        std::string with_point = text;
+        if (std::ranges::count(text, ',') == 1) std::ranges::replace(with_point, ',', '.');
+        const auto number = parse_number(with_point);
         if (!number || *number < 0) return false;
         numbers.push_back(*number);
     }

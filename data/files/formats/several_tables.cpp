@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "data/files/column_names.h"
+#include "data/files/formats/cell_bytes.h"
+#include "data/files/formats/stresses_beside.h"
 #include "data/files/header_cell.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
@@ -75,23 +77,6 @@ std::vector<std::size_t> begins_of_tables(const Row& names) {
     return begins;
 }
 
-/// Byte of a line at which each of its cells begins, and one behind the last delimiter that it
-/// could have.
-std::vector<std::size_t> bytes_of_cells(std::string_view line, char delimiter) {
-    std::vector<std::size_t> bytes = {0};
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        // A quote within a cell, as in `G"`, begins no quoted text.
-        if (line[i] == '"' &&
-            (quoted || line.substr(bytes.back(), i - bytes.back()).find_first_not_of(" \t") ==
-                           std::string_view::npos))
-            quoted = !quoted;
-        if (line[i] == delimiter && !quoted) bytes.push_back(i + 1);
-    }
-    bytes.push_back(line.size() + 1);
-    return bytes;
-}
-
 /// Line with the cells from `begin` up to `end`; those before are blank. In a sheet their
 /// delimiters stay, since a cell's place is its number.
 std::string cells_of_line(std::string_view line, char delimiter, std::size_t begin, std::size_t end,
@@ -101,10 +86,7 @@ std::string cells_of_line(std::string_view line, char delimiter, std::size_t beg
     if (begin >= cells) return "";
     const std::size_t from = bytes[begin], to = bytes[std::min(end, cells)] - 1;
     std::string text(of_sheet ? begin : 0, delimiter);
-    if (!of_sheet)
-        text.append(static_cast<std::size_t>(std::ranges::count_if(
-                        line.substr(0, from), [](char c) { return (c & 0xC0) != 0x80; })),
-                    ' ');
+    if (!of_sheet) text.append(characters_in(line.substr(0, from)), ' ');
     return text.append(line.substr(from, to - from));
 }
 
@@ -197,10 +179,10 @@ SeveralTables tables_in(const SourceLines& source) {
     try {
         const char delimiter = consistent_delimiter(source, 0, source.lines.size());
         const auto names = names_line(source, delimiter);
-        if (!names) return {};
-        SeveralTables found = side_by_side(source, *names, delimiter);
-        return found.parts.empty() ? one_below_another(source, *names, delimiter)
-                                   : std::move(found);
+        SeveralTables found;
+        if (names) found = side_by_side(source, *names, delimiter);
+        if (names && found.parts.empty()) found = one_below_another(source, *names, delimiter);
+        return found.parts.empty() ? stresses_beside(source, delimiter) : std::move(found);
     } catch (const InputError&) {  // a quote, on which the layout has its say
         return {};
     }

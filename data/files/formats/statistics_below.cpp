@@ -184,7 +184,7 @@ bool is_result(const Row& row, const std::vector<Row>& rows) {
         first = std::min(first, i);
         numbers += number_in(row.cells[i].text).has_value();
     }
-    if (numbers > 1 || first >= rows.front().cells.size() ||
+    if (numbers > 1 || first == row.cells.size() || first >= rows.front().cells.size() ||
         !number_in(rows.front().cells[first].text) || number_in(row.cells[first].text))
         return false;
     return names_result(row.cells[first].text);
