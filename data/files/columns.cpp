@@ -136,7 +136,8 @@ void Columns::add(std::size_t index) {
     if (!quantity->unit.empty()) {  // else a column of text
         try {
             const Unit unit(unit_of(cell, *quantity));
-            const double further = further_factor(*quantity, unit);
+            column.relative = is_relative_error(cell, *quantity);
+            const double further = column.relative ? 1 : further_factor(*quantity, unit);
             column.offset = cell.deviation() ? 0 : further * unit.to_si(0);
             column.factor = further * (unit.to_si(1) - unit.to_si(0));
         } catch (const std::invalid_argument& error) {
@@ -336,9 +337,10 @@ std::optional<double> Columns::standard_error(const Row& row, std::string_view n
                         table_.header.cells[column->index].text,
                         column->mark == ErrorMark::standard_deviation ? "a standard deviation"
                                                                       : "an error"));
-    if (column->mark == ErrorMark::half_width) return stated / normal_quantile_95;
+    const double size = column->relative ? std::abs(value_if_any(row, name).value_or(0)) : 1;
+    if (column->mark == ErrorMark::half_width) return size * stated / normal_quantile_95;
     const NumberOfValues* const values = number_of_values(name);
-    return values ? stated / std::sqrt(values_in(row, *values)) : stated;
+    return size * (values ? stated / std::sqrt(values_in(row, *values)) : stated);
 }
 
 const Columns::NumberOfValues* Columns::number_of_values(std::string_view name) const {

@@ -109,6 +109,7 @@ class Columns {
         double factor = 1;
         double offset = 0;
         std::size_t index = 0;
+        bool relative = false;   ///< whether the errors are fractions of their values
         std::string wrong = {};  ///< error message about the unit; empty: valid
 
         bool deviation() const { return mark != ErrorMark::none; }

@@ -281,7 +281,8 @@ HeaderCell taken_apart(std::string_view written) {
     if (text.ends_with("]:") || text.ends_with("):")) text.remove_suffix(1);
     if (const Marked marked = leading_mark(text); !marked.rest.empty()) {
         HeaderCell rest = parse_header_cell(marked.rest);
-        if (!rest.deviation() && is_quantity(rest.name, rest.unit)) {
+        const bool relative = rest.unit == "%" && is_quantity(rest.name);
+        if (!rest.deviation() && (relative || is_quantity(rest.name, rest.unit))) {
             rest.mark = marked.mark;
             return rest;
         }

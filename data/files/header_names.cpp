@@ -12,8 +12,17 @@
 #include "data/files/column_names.h"
 #include "data/files/folded_name.h"
 #include "data/files/header_cell.h"
+#include "data/quantities/units.h"
 
 namespace pendular {
+
+bool is_relative_error(const HeaderCell& cell, const Quantity& quantity) {
+    if (!(cell.deviation() || bare_mark(cell) != ErrorMark::none) || quantity.unit.empty())
+        return false;
+    const Unit number("1");
+    return is_unit(cell.unit) && Unit(cell.unit).same_dimension(number) &&
+           !Unit(quantity.unit).same_dimension(number);
+}
 
 std::string_view read_as(const Quantity& quantity) {
     if (quantity.name == "inertial_number_diameter_density") return "inertial_number";
@@ -58,7 +67,9 @@ void name_errors(Row& header, const std::vector<HeaderCell>& cells) {
         const HeaderCell named = parse_header_cell(header.cells[*values].text);
         const Quantity* const quantity = find_quantity(named.name);
         const std::string& unit = cells[i].unit;
-        if (!quantity || (!unit.empty() && !unit_fits(unit, quantity->name))) continue;
+        if (!quantity || (!unit.empty() && !unit_fits(unit, quantity->name) &&
+                          !is_relative_error(cells[i], *quantity)))
+            continue;
         const ErrorMark mark = cells[i].deviation() ? cells[i].mark : bare_mark(cells[i]);
         header.cells[i].text = fmt::format("{}{}", named.name, suffix_of(mark));
         if (!unit.empty()) header.cells[i].text += fmt::format(" [{}]", unit);

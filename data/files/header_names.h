@@ -3,9 +3,14 @@
 #include <string_view>
 
 #include "data/files/csv.h"
+#include "data/files/header_cell.h"
 #include "data/quantities/quantity.h"
 
 namespace pendular {
+
+/// Whether the errors in a column are fractions of their values, such as "tau ± [%]": their unit is
+/// a number, that of the quantity is not.
+bool is_relative_error(const HeaderCell& cell, const Quantity& quantity);
 
 /// Name of the quantity that a column is read as, since two conventions are converted.
 std::string_view read_as(const Quantity& quantity);

@@ -2,6 +2,7 @@
 // column of its own.
 #include <fmt/format.h>
 
+#include "data/files/columns.h"
 #include "data/recordings/file_view.h"
 #include "tests/support/golden.h"
 
@@ -122,6 +123,20 @@ TEST(ErrorsBehindTheirValues, MayHaveDecimalCommas) {
                                "2,0;1,22;0,05\n3,0;1,73;0,06\n",
                                name));
         EXPECT_TRUE(view.file.blocks.front().columns.back().of_errors) << name;
+    }
+}
+
+TEST(ErrorsBehindTheirValues, MayBePercentOfThem) {
+    for (const char* const names :
+         {"Tensión normal [kPa];Tensión de corte [kPa];Incertidumbre [%]",
+          "Normalspannung [kPa];Schubspannung [kPa];Fehler der Schubspannung [%]"}) {
+        const FileView view =
+            points(fmt::format("{}\n1,0;0,80;2\n2,0;1,22;2\n3,0;1,73;5\n", names));
+        const Block& block = view.file.blocks.front();
+        EXPECT_TRUE(block.columns.back().of_errors) << names;
+        const auto error =
+            Columns(block.table).standard_error(block.table.rows.front(), "shear_stress");
+        EXPECT_THAT(error.value_or(0), DoubleNear(16, 1e-9)) << names;
     }
 }
 

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t lines_before_numbers = 200, most_lines_of_names = 3,
                       most_columns_of_stresses = 100, most_bytes_of_parts = std::size_t(1) << 26;
 
-/// What the cells above a column say.
+/// Cells above a column, taken apart.
 struct Heading {
     std::string name, unit;  ///< of the quantity, or all that is said of another column
     std::string quantity;    ///< "shear_stress", "torque", another, or none
@@ -180,23 +180,23 @@ bool numbers_repetition(std::string_view label) {
 /// Whether words may be those of a material, a liquid or a load.
 bool may_tell_apart(std::string_view label) {
     static constexpr std::array others = {
-        "mean",       "average",   "avg",      "moyenne",    "moyen",     "mittel",
-        "mittelwert", "media",     "medio",    "median",     "max",       "maximum",
-        "maximal",    "maximale",  "maxi",     "massimo",    "massima",   "maximo",
-        "maxima",     "min",       "minimum",  "minimal",    "minimale",  "mini",
-        "minimo",     "minima",    "peak",     "pic",        "picco",     "pico",
-        "spitze",     "residual",  "residuel", "residuelle", "residuo",   "residua",
-        "residuale",  "rest",      "steady",   "final",      "initial",   "start",
-        "end",        "raw",       "roh",      "brut",       "brute",     "crudo",
-        "grezzo",     "corrected", "corr",     "korrigiert", "corrige",   "corrigee",
-        "corregido",  "corretto",  "smoothed", "filtered",   "gefiltert", "filtre",
-        "set",        "soll",      "ist",      "target",     "error",     "err",
-        "sd",         "std",       "se",       "cv",         "sensor",    "channel",
-        "kanal",      "left",      "right",    "links",      "rechts",    "before",
-        "after",      "preshear",  "model",    "fit",        "predicted", "calculated",
-        "run",        "test",      "repeat",   "replicate",  "essai",     "versuch",
-        "messung",    "mesure",    "prova",    "ensayo",     "prueba",    "wiederholung",
-        "lauf",       "n"};
+        "mean",       "average",   "avg",       "moyenne",    "moyen",        "mittel",
+        "mittelwert", "media",     "medio",     "median",     "max",          "maximum",
+        "maximal",    "maximale",  "maxi",      "massimo",    "massima",      "maximo",
+        "maxima",     "min",       "minimum",   "minimal",    "minimale",     "mini",
+        "minimo",     "minima",    "peak",      "pic",        "picco",        "pico",
+        "spitze",     "residual",  "residuel",  "residuelle", "residuo",      "residua",
+        "residuale",  "rest",      "steady",    "final",      "initial",      "start",
+        "end",        "raw",       "roh",       "brut",       "brute",        "crudo",
+        "grezzo",     "corrected", "corr",      "korrigiert", "corrige",      "corrigee",
+        "corregido",  "corretto",  "smoothed",  "filtered",   "gefiltert",    "filtre",
+        "set",        "soll",      "target",    "error",      "err",          "sd",
+        "std",        "se",        "cv",        "sensor",     "channel",      "kanal",
+        "left",       "right",     "links",     "rechts",     "before",       "after",
+        "preshear",   "model",     "fit",       "predicted",  "calculated",   "run",
+        "test",       "repeat",    "replicate", "essai",      "versuch",      "messung",
+        "mesure",     "prova",     "ensayo",    "prueba",     "wiederholung", "lauf",
+        "n"};
     static const TextPattern word(R"([^\s_,;:()\[\]]+)");
     bool any_word = false;
     for (const PatternMatch& each : word.all(label)) {
