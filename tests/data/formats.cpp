@@ -139,6 +139,29 @@ TEST_F(ReadBlocks, ReadRSpaceActions) {
     EXPECT_THAT(series.shear_rate[0], DoubleNear(47.57, 1e-9));
 }
 
+TEST_F(ReadBlocks, ReadLabViewWithUnitsOfItsOwnLine) {
+    const std::string begin =
+        "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\nDecimal_Separator\t,\n"
+        "X_Columns\tOne\nOperator\tlab\n***End_of_Header***\t\n\t\n";
+    const std::string segment =
+        "Channels\t3\t\t\nSamples\t3\t3\t3\nY_Unit_Label\tN\tmNm\tmm\nX_"
+        "Dimension\tTime\tTime\tTime\n"
+        "X0\t0,25\t0,25\t0,25\nDelta_X\t0,5\t0,5\t0,5\n***End_of_Header***\t\t\t\n"
+        "X_Value\tNormal force\tTorque\tGap\tComment\n";
+    const std::string rows =
+        "0,0\t5,1\t12,1\t11,5\tbegun\n0,5\t5,2\t12,2\t11,6\n1,0\t5,3\t12,3\t11,7\n";
+    const BlockFile file = read(begin + segment + rows + "\n" + segment + rows);
+    EXPECT_EQ(file.layout, "labview");
+    ASSERT_THAT(file.blocks, SizeIs(2));
+    EXPECT_THAT(used_columns(file.blocks[1]),
+                ElementsAre("time [s]", "normal_force [N]", "torque [mNm]", "height [mm]"));
+    EXPECT_EQ(file.blocks[1].table.rows[2].cells[2].text, "12.3");
+    EXPECT_EQ(file.fact("Operator"), "lab");
+    // Without a column of times they follow from the first one and their distance.
+    const BlockFile untimed = read(begin + segment + "\t5,1\t12,1\t11,5\n\t5,2\t12,2\t11,6\n");
+    EXPECT_EQ(untimed.blocks[0].table.rows[1].cells[0].text, "0.75");
+}
+
 TEST_F(ReadBlocks, ReadRheoWinTablesSideBySide) {
     const BlockFile file = read_blocks(look_alike("rheowin.csv"));
     EXPECT_EQ(file.layout, "rheowin");

@@ -313,6 +313,7 @@ const std::vector<Layout>& layouts() {
                                             trios_layout(),
                                             rspace_layout(),
                                             rheowin_layout(),
+                                            labview_layout(),
                                             yield_locus_report_layout(),
                                             transposed_layout(),
                                             unit_row_layout(),
