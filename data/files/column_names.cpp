@@ -255,7 +255,19 @@ const std::vector<VendorName>& vendor_names() {
           "Consolidación",
           "Consolidazione",
           "Preconsolidazione",
-          "Precarico"}},
+          "Precarico",
+          "Preshear",
+          "Preshear load",
+          "Consolidation load",
+          "Anscherlast",
+          "Anscheren",
+          "Vorscheren",
+          "Vorlast",
+          "Konsolidierung",
+          "Précisaillement",
+          "Precizalla",
+          "Precarga",
+          "Pretaglio"}},
         {"preshear_shear_stress",
          {"Preshear shear stress", "tau pre", "τpre", "tau an", "τan", "Anscherwiderstand",
           "Anscherschubspannung", "Schubspannung beim Anscheren",
@@ -340,6 +352,26 @@ const Quantity* quantity_of_cell(std::string_view name, std::string_view unit) {
     return unit_fits(unit, known->name) ? known : nullptr;
 }
 
+namespace {
+
+/// Name without the word that it is measured and no set point: "Normal stress" for "Measured normal
+/// stress". Empty if there is no such word.
+std::string name_of_measured(std::string_view name) {
+    static const std::array words = {"measured", "actual",  "gemessen", "gemessene", "gemessenes",
+                                     "ist",      "istwert", "mesuré",   "mesurée",   "réel",
+                                     "réelle",   "medido",  "medida",   "misurato",  "misurata"};
+    const std::string text = spaced(name);
+    for (const std::string_view word : words) {
+        for (const std::string& end : {fmt::format(" {}", word), fmt::format(" ({})", word),
+                                       fmt::format("_{}", word), fmt::format(", {}", word)})
+            if (text.ends_with(end)) return text.substr(0, text.size() - end.size());
+        if (text.starts_with(fmt::format("{} ", word))) return text.substr(word.size() + 1);
+    }
+    return "";
+}
+
+}  // namespace
+
 ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
     const std::string wanted = compared(name);
     if (wanted.empty()) return {};
@@ -363,8 +395,13 @@ ColumnMeaning meaning_of_column(std::string_view name, std::string_view unit) {
     for (auto [each, end] = by_name.equal_range(wanted); each != end; ++each)
         if (unit_fits(unit, each->second.quantity)) return each->second;
     const Quantity* const known = find_quantity(name);
-    if (!known || known->unit.empty() || !unit_fits(unit, known->name)) return {};
-    return {known->name, 100, false};  // after all names of instruments
+    if (known && !known->unit.empty() && unit_fits(unit, known->name))
+        return {known->name, 100, false};  // after all names of instruments
+    const std::string measured = name_of_measured(name);
+    if (measured.empty()) return {};
+    ColumnMeaning meaning = meaning_of_column(measured, unit);
+    meaning.rank = -1;  // before set points, which may have the name alone
+    return meaning;
 }
 
 std::string_view usual_unit(std::string_view quantity_name) {

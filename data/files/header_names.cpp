@@ -80,14 +80,12 @@ void name_errors(Row& header, const std::vector<HeaderCell>& cells) {
 /// its numbers are no stresses.
 bool may_count_levels(std::string_view quantity, const HeaderCell& cell) {
     if (quantity != "preshear_stress" || !cell.unit.empty()) return false;
-    constexpr std::string_view kinds[] = {"level",         "niveau",        "nivel",
-                                          "livell",        "precarico",     "consolidation",
-                                          "consolidacion", "consolidazione"};
     const std::string name = folded_name(cell.name);
-    constexpr std::string_view stresses[] = {"stress", "contrainte", "tension", "sforzo",
-                                             "charge", "load",       "esfuerzo"};
+    constexpr std::string_view stresses[] = {"stress", "contrainte", "tension",  "sforzo", "charge",
+                                             "load",   "esfuerzo",   "spannung", "last",   "sigma",
+                                             "σ",      "carga",      "carico"};
     const auto contains = [&](std::string_view word) { return name.find(word) != name.npos; };
-    return std::ranges::any_of(kinds, contains) && std::ranges::none_of(stresses, contains);
+    return std::ranges::none_of(stresses, contains);
 }
 
 }  // namespace

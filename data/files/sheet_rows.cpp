@@ -66,6 +66,15 @@ std::size_t width_of_row(const pugi::xml_node& row) {
     return width;
 }
 
+/// Number without zeros behind its decimals, by which texts such as "1.000" are known.
+std::string without_last_zeros(std::string number) {
+    const bool plain = number.find_first_not_of("+-0123456789.") == std::string::npos;
+    if (!plain || number.find('.') == std::string::npos) return number;
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.ends_with('.')) number.pop_back();
+    return number;
+}
+
 std::string text_of_cell(const pugi::xml_node& cell, const SharedParts& shared) {
     const std::string_view type = cell.attribute("t").value();
     const pugi::xml_node value = child_named(cell, "v"), formula = child_named(cell, "f");
@@ -79,7 +88,7 @@ std::string text_of_cell(const pugi::xml_node& cell, const SharedParts& shared) 
     }
     if (type == "b") text = text == "1" ? "TRUE" : "FALSE";  // no number
     if (type.empty() || type == "n")
-        text = shared.formats.text_of(text, cell.attribute("s").as_uint(0));
+        text = without_last_zeros(shared.formats.text_of(text, cell.attribute("s").as_uint(0)));
     // A formula without a stored result is shown as "=...". Type str without characters is a
     // result.
     if (formula && (!value || (text.empty() && type != "str")))

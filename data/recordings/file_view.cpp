@@ -243,7 +243,9 @@ std::vector<Remark> append_points(const Block& whole, BlockFile& file) {
         if (contents_differ && contents[i])
             add_to_name(block.test, fmt::format("liquid content {:.4g}", *contents[i]));
         if (!texts.roles.empty()) block.stated_role = texts.roles[i];
-        block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
+        const auto preshear = columns.value_if_any(row, "preshear_stress");
+        // At a level of 0 there was no preshear.
+        if (preshear != 0.0) block.preshear_normal_stress = preshear;
         block.preshear_shear_stress = columns.value_if_any(row, "preshear_shear_stress");
         block.bulk_density = columns.value_if_any(row, "bulk_density");
         block.number = static_cast<int>(file.blocks.size());

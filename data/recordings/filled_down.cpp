@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "data/recordings/point_roles.h"
 #include "data/recordings/point_texts.h"
 
 namespace pendular {
@@ -48,6 +49,12 @@ Remark filled(Block& block, std::size_t column, const std::vector<std::size_t>& 
         add_line(remark.lines, below.line);
     }
     return remark;
+}
+
+/// Whether the empty cells of a column may be those of merged cells.
+bool may_be_merged(const Table& table, std::size_t column) {
+    return !table.rows.empty() && !table.rows.front().cells[column].text.empty() &&
+           !is_answer(table.rows.front().cells[column].text) && !repeats_in_rows(table, column);
 }
 
 /// Empty rows of a column of groups; none where all cells have a value, or none has.
@@ -109,9 +116,13 @@ std::vector<Remark> fill_down(Block& table) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const BlockColumn& column = table.columns[i];
         const bool names = names_groups(column);
-        if (!names && (column.quantity != "preshear_stress" || column.of_errors)) continue;
+        const bool condition = column.quantity.empty() && names_condition(column);
+        const bool level = column.quantity == "preshear_stress" && !column.of_errors;
+        if (!names && !condition && !level) continue;
+        // A measured temperature, say, may well lack values.
+        if (condition && !names && !may_be_merged(table.table, i)) continue;
         groups.push_back(rows_to_fill(table, i));
-        if (!names) refuse_across_groups(table, i, groups.back(), begins);
+        if (level) refuse_across_groups(table, i, groups.back(), begins);
         if (!groups.back().empty()) found.push_back(filled(table, i, groups.back()));
     }
     for (std::size_t i = 0; i < table.columns.size(); ++i) {

@@ -95,6 +95,15 @@ std::vector<bool> answers(const std::vector<std::string>& cells) {
     return marked;
 }
 
+}  // namespace
+
+bool is_answer(const std::string& text) {
+    const std::string word = folded_name(text);
+    return !word.empty() && (says_yes(word) || says_no(word));
+}
+
+namespace {
+
 /// Rows of which some are marked and others not; else none.
 std::vector<bool> some_of(std::vector<bool> marked) {
     const auto count = std::ranges::count(marked, true);
@@ -123,6 +132,24 @@ bool precede_lower_loads(const std::vector<bool>& marked, const std::vector<doub
             return false;
     }
     return true;
+}
+
+/// Whether marked rows are points of a sample of their own, such as one that was consolidated for
+/// longer, rather than preshears: three in succession have different loads, and others have loads
+/// as high.
+bool are_points(const std::vector<bool>& marked, const std::vector<double>& loads) {
+    constexpr std::size_t fewest = 3;  // of a line that is fitted
+    if (loads.size() != marked.size()) return false;
+    std::size_t most = 0, run = 0;
+    double highest = 0, highest_of_others = 0;
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+        double& top = marked[i] ? highest : highest_of_others;
+        top = std::max(top, loads[i]);
+        const bool goes_on = marked[i] && run > 0 && !is_same_load(loads[i], loads[i - 1]);
+        run = goes_on ? run + 1 : marked[i] ? 1 : 0;
+        most = std::max(most, run);
+    }
+    return most >= fewest && !is_lower_load(highest_of_others, highest);
 }
 
 std::vector<std::string> given_to(const std::vector<bool>& marked, const char* role) {
@@ -196,9 +223,11 @@ std::vector<std::string> roles_in_column(std::string_view name,
                                          const std::vector<std::string>& cells,
                                          const std::vector<double>& loads) {
     if (names_preshear(name))
-        if (const auto marked = some_of(answers(cells)); !marked.empty())
+        if (const auto marked = some_of(answers(cells));
+            !marked.empty() && !are_points(marked, loads))
             return given_to(marked, "preshear");
-    if (const auto marked = rows_where(cells, names_preshear); !marked.empty())
+    if (const auto marked = rows_where(cells, names_preshear);
+        !marked.empty() && !are_points(marked, loads))
         return given_to(marked, "preshear");
     if (const auto marked = rows_where(cells, abbreviates_preshear);
         precede_lower_loads(marked, loads) && others_fail(cells, marked))

@@ -14,6 +14,9 @@ namespace pendular {
 bool is_same_load(double a, double b);
 bool is_lower_load(double lower, double load);
 
+/// Whether a text is a yes or a no, in one of the five languages.
+bool is_answer(const std::string& text);
+
 /// Whether a text begins with a word for a preshear or a consolidation, such as "Preshear?".
 bool names_preshear(std::string_view text);
 

@@ -1,5 +1,7 @@
 #include "data/recordings/point_texts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -161,12 +163,25 @@ bool names_water_content(const BlockColumn& column) {
                                   "sättigungsgrad",
                                   "volume of liquid",
                                   "added water",
-                                  "watergehalte"};
+                                  "watergehalte",
+                                  "water",
+                                  "added liquid",
+                                  "liquid added",
+                                  "wasser",
+                                  "wassermenge",
+                                  "wasserzugabe",
+                                  "eau",
+                                  "eau ajoutée",
+                                  "agua",
+                                  "agua añadida",
+                                  "acqua",
+                                  "acqua aggiunta"};
     return (column.name == "w" && column.unit == "%") ||
            is_among_names(folded_name(column.name), names);
 }
 
-/// Whether a column has a condition of tests, of which each value may have a locus.
+}  // namespace
+
 bool names_condition(const BlockColumn& column) {
     constexpr std::array names = {"diameter",
                                   "grain diameter",
@@ -212,7 +227,25 @@ bool names_condition(const BlockColumn& column) {
                                   "pretaglio",
                                   "rh",
                                   "hr"};
-    return names_water_content(column) || is_among_names(folded_name(column.name), names);
+    return names_water_content(column) || names_preshear(column.name) ||
+           is_among_names(folded_name(column.name), names);
+}
+
+namespace {
+
+/// Whether each text stands at three or more different loads in succession: it is that of a sample,
+/// even if no load recurs at another one.
+bool stands_over_loads(const std::vector<std::string>& texts, const std::vector<double>& loads) {
+    if (loads.size() != texts.size() || !stands_in_groups(texts)) return false;
+    constexpr std::size_t fewest = 3;  // of a line that is fitted
+    for (std::size_t begin = 0; begin < texts.size();) {
+        std::size_t end = begin, different = 1;
+        for (; end < texts.size() && texts[end] == texts[begin]; ++end)
+            different += end > begin && !is_same_load(loads[end], loads[end - 1]);
+        if (different < fewest) return false;
+        begin = end;
+    }
+    return true;
 }
 
 /// Load of each row, a normal stress or force in the unit of its column; empty if no column or a
@@ -327,6 +360,14 @@ struct Texts {
     std::vector<std::string> cells;
 };
 
+/// Texts of a column, with its name before answers such as "yes".
+std::vector<std::string> named_texts(const BlockColumn& column, std::vector<std::string> texts) {
+    if (std::ranges::all_of(texts, is_answer))
+        for (std::string& text : texts)
+            text = fmt::format("{} {}", column.name, text);
+    return texts;
+}
+
 /// Parts the tests further by a condition such as "Temperature 20 °C".
 void part_by(const Texts& condition, std::vector<std::string>& tests) {
     tests.resize(condition.cells.size());
@@ -345,7 +386,8 @@ void look_for_conditions(const std::vector<Texts>& columns, const std::vector<do
         const bool recurs = recurs_within_tests(each.cells, loads, found);
         const bool water = found.tests.empty() && names_water_content(each.column) &&
                            tells_tests_apart(each.cells, loads, found.roles);
-        if (water || (recurs && names_condition(each.column)))
+        const bool apart = recurs || (found.tests.empty() && stands_over_loads(each.cells, loads));
+        if (water || (apart && names_condition(each.column)))
             part_by(each, found.tests);
         else if (recurs)
             found.doubtful.push_back(each.column.name);
@@ -373,7 +415,7 @@ PointTexts texts_of_points(const Block& block, const std::vector<Title>& titles)
         if (found.tests.empty() &&
             ((names_tests(column.name) && tells_tests_apart(texts, loads, found.roles)) ||
              (!any_number(texts) && stands_in_groups(texts))))
-            found.tests = texts;
+            found.tests = named_texts(column, texts);
     if (found.tests.empty()) {
         std::vector<std::string> above = titles_above(block.table, titles);
         if (!above.empty() && tells_tests_apart(above, loads, found.roles))

@@ -24,12 +24,16 @@ struct PointTexts {
 /// Whether a column of this name names materials, samples or the like, of which each has a locus.
 bool names_tests(std::string_view name);
 
+/// Whether a column has a condition of tests, such as a temperature or a water content, of which
+/// each value may have a locus.
+bool names_condition(const BlockColumn& column);
+
 /// Returns what the texts of a table of points say. A column tells tests apart if its name is one
 /// of those that people give to materials and samples, and each of its texts or numbers stands at
 /// two loads at least, preshears aside, or if each of its texts stands in three rows in succession.
 /// Without such a column, titles between the rows do if below each stand two loads at least. A
-/// column of a condition, such as a temperature or a water content, parts the points further where
-/// the same loads recur at its different values.
+/// column of a condition parts the points further where the same loads recur at its different
+/// values, or where each value stands at three loads in succession.
 PointTexts texts_of_points(const Block& table, const std::vector<Title>& titles);
 
 }  // namespace pendular

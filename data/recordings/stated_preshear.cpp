@@ -87,8 +87,9 @@ void state_preshears(BlockFile& file) {
         if (block.preshear_normal_stress || !block.has_column("preshear_stress")) continue;
         const Columns columns(block.table);
         for (const Row& row : block.table.rows)
-            if (!block.preshear_normal_stress)
-                block.preshear_normal_stress = columns.value_if_any(row, "preshear_stress");
+            if (const auto stress = columns.value_if_any(row, "preshear_stress");
+                !block.preshear_normal_stress && stress != 0.0)
+                block.preshear_normal_stress = stress;
     }
     if (!file.table_of_points || std::ranges::any_of(file.blocks, has_own_preshear)) return;
     take_preshears_from_names(file);

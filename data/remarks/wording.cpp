@@ -118,7 +118,7 @@ std::string rows_text(const Remark& rows) {
         case Kind::without_segment:
             return "without segment and point, as 2|15";
         case Kind::marked_invalid:
-            return "marked as invalid by the instrument";
+            return "marked as invalid in the file";
         case Kind::without_values:
             return "without values";
         case Kind::no_value:

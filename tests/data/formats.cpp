@@ -151,12 +151,12 @@ TEST_F(ReadBlocks, ReadLabViewWithUnitsOfItsOwnLine) {
     const std::string rows =
         "0,0\t5,1\t12,1\t11,5\tbegun\n0,5\t5,2\t12,2\t11,6\n1,0\t5,3\t12,3\t11,7\n";
     const BlockFile file = read(begin + segment + rows + "\n" + segment + rows);
-    EXPECT_EQ(file.layout, "labview");
     ASSERT_THAT(file.blocks, SizeIs(2));
     EXPECT_THAT(used_columns(file.blocks[1]),
                 ElementsAre("time [s]", "normal_force [N]", "torque [mNm]", "height [mm]"));
     EXPECT_EQ(file.blocks[1].table.rows[2].cells[2].text, "12.3");
     EXPECT_EQ(file.fact("Operator"), "lab");
+    EXPECT_EQ(file.blocks[1].test, "segment 2");
     // Without a column of times they follow from the first one and their distance.
     const BlockFile untimed = read(begin + segment + "\t5,1\t12,1\t11,5\n\t5,2\t12,2\t11,6\n");
     EXPECT_EQ(untimed.blocks[0].table.rows[1].cells[0].text, "0.75");

@@ -4,7 +4,7 @@
     make_workbook.py OUT.xlsx [--1904] NAME=FILE.csv...
 
 Numbers are stored as numbers, "#DIV/0!" as an error of a formula, "=A1*2" as a formula without a result, "date:45352.5" and "clock:0.25" as
-days in the format of a date or of a clock time. Lines "!merge A2:A5" and "!hide 3" concern the sheet. Every other text is shared, every other one in its cell, as different
+days in the format of a date or of a clock time, "text:1.000" as a text. Lines "!merge A2:A5" and "!hide 3" concern the sheet. Every other text is shared, every other one in its cell, as different
 programs write them. A sheet "hidden:NAME" or "veryHidden:NAME" is hidden. Rows without cells are left out.
 """
 import csv
@@ -34,6 +34,7 @@ def cell(text, row, column, shared):
     for style, kind in (1, "date:"), (2, "clock:"), (3, "percent:"):
         if text.startswith(kind):
             return f'<c {place} s="{style}"><v>{text.removeprefix(kind)}</v></c>'
+    text = text.removeprefix("text:")
     if text == "#DIV/0!":
         return f'<c {place} t="e"><v>{text}</v></c>'
     if (row + column) % 2:

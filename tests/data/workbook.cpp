@@ -76,6 +76,17 @@ TEST_F(Workbook, HasTheSheetThatIsNamed) {
                  input_error([&] { read_blocks(first, format); })});
 }
 
+/// A number is stored without zeros behind its decimals, so that such a text is none.
+TEST_F(Workbook, RefusesTextsThatMayHaveThousandsSeparators) {
+    const std::string names = "Normal stress [Pa],Shear stress [Pa]\n500,500\n";
+    EXPECT_THAT(input_error([&] {
+                    read_blocks(of_table(names + "text:1.000,800\ntext:2.000,text:1.400\n"));
+                }),
+                testing::HasSubstr("\"1.000\" can be 1.000"));
+    for (const char* const cells : {"1.000,800\n2.000,1.400\n", "text:1.50,text:1.000\n"})
+        EXPECT_NO_THROW(read_blocks(of_table(names + cells))) << cells;
+}
+
 /// A cell that shows "30 %" stores 0.3, which is right below a header without a unit.
 TEST_F(Workbook, HasThePercentThatItsCellsShow) {
     const auto fractions = [&](const std::string& header, const std::string& cell) {
@@ -89,6 +100,7 @@ TEST_F(Workbook, HasThePercentThatItsCellsShow) {
     };
     EXPECT_THAT(fractions("Solid fraction [%]", "percent:0.57"), ElementsAre("57", "58"));
     EXPECT_THAT(fractions("Solid fraction [percent]", "percent:0.573"), ElementsAre("57.3", "58"));
+    EXPECT_THAT(fractions("Wassergehalt [%]", "percent:0.57"), ElementsAre("57", "58"));
     EXPECT_THAT(fractions("Solid fraction", "percent:0.57"), ElementsAre("0.57", "58"));
     EXPECT_THAT(fractions("Solid fraction [1]", "percent:0.57"), ElementsAre("0.57", "58"));
     EXPECT_THAT(fractions("Solid fraction [%]", "57"), ElementsAre("57", "58"));

@@ -1,64 +1,72 @@
+#include "data/files/formats/labview.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string_view>
 
 #include "data/files/folded_name.h"
-#include "data/files/formats/layouts.h"
 #include "data/files/header_cell.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
 namespace {
 
-constexpr std::string_view first_words = "LabVIEW Measurement";
+constexpr std::string_view end_of_header = "***End_of_Header***";
 
-bool is_labview(const SourceLines& source) {
-    return !source.lines.empty() && trimmed(source.lines.front()).starts_with(first_words);
+/// Number of a cell, with a decimal point or comma.
+std::optional<double> number_of(std::string text) {
+    std::ranges::replace(text, ',', '.');
+    return parse_number(text);
 }
 
-/// Reads the segments of a file: keys with a value for each channel, such as `Y_Unit_Label`, the
-/// line `X_Value` with the names of the channels, and rows.
+/// Reads the lines of a file in their order: keys with a value for each channel, a line of names,
+/// and rows.
 class SegmentReader {
   public:
-    SegmentReader(const SourceLines& source, BlockFile& file) : source_(source), file_(file) {
-        file_.delimiter = '\t';
-        // The key and its value stand before any row.
-        constexpr std::size_t most_lines = 50;
-        for (std::size_t i = 0; i < std::min(source.lines.size(), most_lines); ++i)
-            if (source.lines[i].starts_with("Separator") &&
-                source.lines[i].find("Comma") != std::string_view::npos)
-                file_.delimiter = ',';
-    }
+    SegmentReader(const SourceLines& source, BlockFile& file)
+        : source_(source),
+          file_(file),
+          delimiter_(consistent_delimiter(source, 0, source.lines.size())) {}
 
-    void read() {
+    SeveralTables read() {
         bool special = false;  // data of a device, of no documented form
         for (std::size_t i = 0; i < source_.lines.size(); ++i) {
             const std::string_view line = trimmed(source_.lines[i]);
-            if (line.starts_with("***Start_Special")) special = true;
-            if (!special && !line.empty()) take(source_.row(i, file_.delimiter));
+            special = special || line.starts_with("***Start_Special");
+            if (!special && !line.empty()) take(i);
             if (line.starts_with("***End_Special")) special = false;
         }
+        if (found_.parts.size() == 1) found_.parts.front().title.clear();
+        return std::move(found_);
     }
 
   private:
-    void take(const Row& row) {
+    void take(std::size_t line) {
+        if (source_.lines[line].starts_with("***")) {
+            names_next_ = source_.lines[line].starts_with(end_of_header);
+            in_rows_ = false;
+            return;
+        }
+        const Row row = source_.row(line, delimiter_);
         const std::string& key = row.cells.front().text;
-        if (key == "X_Value") {
-            begin_block(row);
-        } else if (key.starts_with("***")) {
-            in_rows_ = false;
-        } else if (in_rows_ && (key.empty() || parse_number(with_point(key)))) {
-            append(row);
-        } else if (!is_blank(row)) {
-            in_rows_ = false;
+        const bool is_row = in_rows_ && (key.empty() || number_of(key));
+        if (is_row) {
+            append(line, row);
+        } else if (names_next_ && key != "Channels") {
+            begin_part(line, row);
+        } else {
             keys_[key] = row;
-            if (file_.blocks.empty() && row.cells.size() > 1)
+            in_rows_ = false;
+            if (found_.parts.empty() && row.cells.size() > 1)
                 file_.add_fact({key, row.cells[1].text, row.line});
         }
+        names_next_ = false;
     }
 
-    /// Text that a key has for a channel, or for the first one; empty if there is none.
+    /// Text that a key has for a channel; empty if there is none.
     std::string of_channel(const char* key, std::size_t channel) const {
         const auto found = keys_.find(key);
         return found == keys_.end() || channel >= found->second.cells.size()
@@ -66,60 +74,71 @@ class SegmentReader {
                    : found->second.cells[channel].text;
     }
 
-    void begin_block(const Row& header) {
-        std::vector<std::string> names, units;
-        for (std::size_t i = 0; i < header.cells.size(); ++i) {
-            const HeaderCell parts = parse_header_cell(header.cells[i].text);
-            names.push_back(parts.name);
-            const std::string stated = of_channel("Y_Unit_Label", i);
-            units.push_back(i > 0 && !stated.empty() ? bare_unit(stated) : parts.unit);
-        }
-        // LabVIEW counts times in seconds.
+    /// Name of a column with its unit. LabVIEW counts times in seconds.
+    std::string name_of(const Row& names, std::size_t channel) const {
+        const std::string& name = names.cells[channel].text;
+        if (!parse_header_cell(name).unit.empty()) return name;
+        const std::string unit = channel == 0 ? "" : of_channel("Y_Unit_Label", channel);
+        if (!unit.empty()) return fmt::format("{} [{}]", name, bare_unit(unit));
         const std::string dimension = lower_case(of_channel("X_Dimension", 1));
-        if (dimension.empty() || dimension == "time") names[0] = "Time", units[0] = "s";
-        Block block;
-        block.number = static_cast<int>(file_.blocks.size()) + 1;
-        block.table.file = source_.file;
-        block.table.delimiter = file_.delimiter;
-        set_columns(file_, block, header, names, units);
-        file_.blocks.push_back(std::move(block));
-        in_rows_ = true;
+        const bool time = name == "X_Value" && (dimension.empty() || dimension == "time");
+        return time && channel == 0 ? "Time [s]" : name;
     }
 
-    /// Adds a row; without its time (`X_Columns No`), the one that begin and distance give.
-    void append(Row row) {
-        const auto begin = parse_number(with_point(of_channel("X0", 1)));
-        const auto distance = parse_number(with_point(of_channel("Delta_X", 1)));
-        if (row.cells[0].text.empty() && begin && distance) {
-            const std::size_t index = file_.blocks.back().table.rows.size();
-            row.cells[0].text =
-                fmt::format("{:.12g}", *begin + static_cast<double>(index) * *distance);
-            if (of_channel("Decimal_Separator", 1) == ",")
-                std::ranges::replace(row.cells[0].text, '.', ',');
+    void begin_part(std::size_t line, const Row& names) {
+        constexpr std::size_t most_parts = 200;  // as in several_tables.cpp
+        if (found_.parts.size() == most_parts) return;
+        std::string text;
+        cells_ = names.cells.size();
+        for (std::size_t i = 0; i < cells_; ++i) {
+            if (i > 0) text += delimiter_;
+            text += name_of(names, i);
         }
-        add_row(file_, file_.blocks.back(), std::move(row));
+        found_.parts.push_back(
+            {fmt::format("segment {}", found_.parts.size() + 1),
+             {source_.file, std::vector<std::string_view>(source_.lines.size()), false}});
+        found_.parts.back().source.lines[line] = found_.texts.emplace_back(std::move(text));
+        in_rows_ = true;
+        rows_ = 0;
     }
 
-    static std::string with_point(std::string text) {
-        std::ranges::replace(text, ',', '.');
-        return text;
+    /// Adds a row, which lacks its last cell where it has no comment, and perhaps its time.
+    void append(std::size_t line, const Row& row) {
+        std::string text(source_.lines[line]);
+        const auto begin = number_of(of_channel("X0", 1));
+        const auto distance = number_of(of_channel("Delta_X", 1));
+        if (row.cells.front().text.empty() && begin && distance) {
+            std::string time =
+                fmt::format("{:.12g}", *begin + static_cast<double>(rows_) * *distance);
+            if (of_channel("Decimal_Separator", 1) == ",") std::ranges::replace(time, '.', ',');
+            text = time + text.substr(std::min(text.find(delimiter_), text.size()));
+        }
+        if (row.cells.size() + 1 == cells_) text += delimiter_;
+        found_.parts.back().source.lines[line] = found_.texts.emplace_back(std::move(text));
+        ++rows_;
     }
 
     const SourceLines& source_;
     BlockFile& file_;
-    std::map<std::string, Row> keys_;  ///< lines of the header so far
-    bool in_rows_ = false;
+    char delimiter_;
+    SeveralTables found_;
+    std::map<std::string, Row> keys_;  ///< lines of the headers so far
+    bool names_next_ = false, in_rows_ = false;
+    std::size_t rows_ = 0, cells_ = 0;  ///< of the segment so far, and of its names
 };
 
 }  // namespace
 
-/// Text file of measurements of LabVIEW (.lvm): a header for each segment, with names and units of
-/// the channels in different lines.
-Layout labview_layout() {
-    return {"labview", "LabVIEW measurement file (.lvm)", is_labview,
-            [](const SourceLines& source, const FileFormat&, BlockFile& file) {
-                SegmentReader(source, file).read();
-            }};
+bool is_labview(const SourceLines& source) {
+    return !source.lines.empty() && source.lines.front().starts_with("LabVIEW Measurement");
+}
+
+SeveralTables labview_segments(const SourceLines& source, BlockFile& file) {
+    try {
+        return SegmentReader(source, file).read();
+    } catch (const InputError&) {  // a quote, on which the layout has its say
+        return {};
+    }
 }
 
 }  // namespace pendular

@@ -8,9 +8,11 @@
 
 #include "data/files/formats/clock_times.h"
 #include "data/files/formats/cut_row.h"
+#include "data/files/formats/labview.h"
 #include "data/files/formats/missing_values.h"
 #include "data/files/formats/named_columns.h"
 #include "data/files/formats/preamble.h"
+#include "data/files/formats/rejected_rows.h"
 #include "data/files/formats/several_tables.h"
 #include "data/files/formats/sheets.h"
 #include "data/files/formats/text_marks.h"
@@ -47,27 +49,32 @@ void refuse_columns(const Layout& layout, const FileFormat& format, const std::s
                                  layout.name, line_to_name("torque", "M", "mN m")));
 }
 
-/// Calls a function with each cell of a file in which a comma stands.
+/// Calls a function with each cell of a sheet whose number is a text: that of a stored number has
+/// no comma, and no zeros at its end.
 template <typename Function>
-void for_each_comma(BlockFile& file, Function function) {
+void for_each_text(BlockFile& file, Function function) {
     for (Block& block : file.blocks)
         for (Row& row : block.table.rows)
             for (std::size_t i = 0; i < row.cells.size(); ++i)
-                if (row.cells[i].text.find(',') != std::string::npos) function(block.table, row, i);
+                if (const std::string& text = row.cells[i].text;
+                    text.find(',') != text.npos ||
+                    (text.ends_with('0') && text.find('.') != text.npos &&
+                     text.find_first_of("eE") == text.npos))
+                    function(block.table, row, i);
 }
 
 /// Rewrites the texts of a sheet that are numbers with a decimal comma or thousands separators.
-/// Numbers that the workbook stores as numbers have no comma, and say nothing of those in texts.
+/// Numbers that the workbook stores as numbers say nothing of those in texts.
 void unify_texts(BlockFile& file, const FileFormat& format) {
     NumberStyleFinder finder;
     bool any = false;
-    for_each_comma(file, [&](const Table& table, const Row& row, std::size_t cell) {
+    for_each_text(file, [&](const Table& table, const Row& row, std::size_t cell) {
         finder.look_at(table, row, cell);
         any = true;
     });
     if (!any) return;
     const NumberStyle style = finder.style(format.decimal);
-    for_each_comma(file, [&](const Table&, Row& row, std::size_t cell) {
+    for_each_text(file, [&](const Table&, Row& row, std::size_t cell) {
         row.cells[cell].text = rewritten(row.cells[cell].text, style);
     });
     file.numbers = {style.decimal, true};
@@ -182,7 +189,7 @@ bool is_in_percent(const Block& block, const BlockColumn& column) {
     });
     const bool of_value = column.of_errors && column.unit.empty() && value != block.columns.end();
     const std::string& unit = of_value ? value->unit : column.unit;
-    if (column.quantity.empty() || unit.empty() || !is_unit(unit)) return false;
+    if (unit.empty() || !is_unit(unit)) return false;
     const Unit stated(unit);
     return stated.same_dimension(Unit("%")) && stated.to_si(1) == Unit("%").to_si(1);
 }
@@ -290,8 +297,9 @@ TextShape shape(std::string& text, const std::filesystem::path& path, const File
 
 /// Reads the tables of a text into a file.
 void read_tables(const SourceLines& source, const FileFormat& format, BlockFile& file) {
-    const SeveralTables tables =
-        is_own_table(layout_of(source, format).name) ? tables_in(source) : SeveralTables{};
+    SeveralTables tables;
+    if (is_own_table(layout_of(source, format).name))
+        tables = is_labview(source) ? labview_segments(source, file) : tables_in(source);
     if (tables.parts.empty()) {
         read_source(source, format, file);
         return;
@@ -313,7 +321,6 @@ const std::vector<Layout>& layouts() {
                                             trios_layout(),
                                             rspace_layout(),
                                             rheowin_layout(),
-                                            labview_layout(),
                                             yield_locus_report_layout(),
                                             transposed_layout(),
                                             unit_row_layout(),
@@ -365,6 +372,7 @@ BlockFile read_blocks(const std::filesystem::path& file_or_book, const FileForma
     show_percents(file, text.percents);
     unify_numbers(file, format);
     read_clock_times(file);
+    if (is_own_table(file.layout)) leave_out_rejected_rows(file);
     clear_missing_values(file, format, cleared);
     drop_other_intervals(file);
     return file;

@@ -50,7 +50,6 @@ Layout rheoplus_layout();
 Layout trios_layout();
 Layout rspace_layout();
 Layout rheowin_layout();
-Layout labview_layout();
 Layout yield_locus_report_layout();
 Layout unit_row_layout();
 Layout transposed_layout();

@@ -125,24 +125,6 @@ void add_stated(const Row& row, BlockFile& file) {
 
 namespace {
 
-/// Takes the headers of a LabVIEW measurement, which end with a line of their own.
-void take_labview_header(SourceLines& source, char delimiter, BlockFile& file) {
-    std::size_t end = 0;
-    for (std::size_t i = 0; i < std::min(source.lines.size(), most_lines); ++i)
-        if (source.lines[i].starts_with("***End_of_Header***")) end = i + 1;
-    for (std::size_t i = 0; i < end; ++i) {
-        add_stated(source.row(i, delimiter), file);
-        source.lines[i] = {};
-    }
-    // The names end with that of a comment, which rows without one lack.
-    if (end + 1 >= source.lines.size()) return;
-    std::string_view& names = source.lines[end];
-    const std::size_t last = names.rfind(delimiter);
-    if (last != std::string_view::npos && names.substr(last + 1) == "Comment" &&
-        std::ranges::count(source.lines[end + 1], delimiter) < std::ranges::count(names, delimiter))
-        names = names.substr(0, last);
-}
-
 /// Whether a line ends the table that stands above it: its first cell is a word, such as "Mean", or
 /// signs around one, as in "*** End ***".
 bool begins_with_word(const Row& row) {
@@ -334,8 +316,6 @@ void refuse_lying_table(const SourceLines& source, char delimiter) {
 
 void take_preamble(SourceLines& source, BlockFile& file) {
     const char delimiter = consistent_delimiter(source, 0, source.lines.size());
-    if (!source.lines.empty() && source.lines[0].starts_with("LabVIEW Measurement"))
-        take_labview_header(source, delimiter, file);
     std::vector<ExaminedLine> lines;
     refuse_lying_table(source, delimiter);
     try {

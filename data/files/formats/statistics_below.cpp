@@ -28,7 +28,7 @@ std::vector<std::string> words_of(std::string_view text) {
     }
     if (words.back().empty()) words.pop_back();
     for (std::string& word : words)
-        word = folded_name(word);
+        word = word == "Ø" || word == "ø" ? "ø" : folded_name(word);  // which is "o" for the letter
     return words;
 }
 
@@ -62,6 +62,12 @@ bool is_among(std::string_view list, std::string_view word) {
 
 bool is_statistic(std::string_view word) {
     return is_among(statistics, word);
+}
+
+/// Whether a word is the unit of a load, as in "Avg 1 kPa".
+bool is_stress_unit(std::string_view word) {
+    constexpr std::string_view units = "pa hpa kpa mpa n kn bar mbar psi";
+    return is_among(units, word);
 }
 
 /// Number in a cell; of a table whose decimal mark is a comma, too.
@@ -125,11 +131,12 @@ double half_of_last_place(const std::string& text) {
 }
 
 /// Whether the numbers of a row are one statistic of the columns above. One number alone may be so
-/// by chance.
+/// by chance, unless the row names a statistic. A number that all rows above have, such as their
+/// load, may be repeated.
 /// @param fewest_rows with a number in each of its columns
-bool is_computed(const Row& row, const std::vector<Row>& rows, Range range,
-                 double fewest_rows = 3) {
-    constexpr std::size_t kinds = 9, fewest_numbers = 2;
+bool is_computed(const Row& row, const std::vector<Row>& rows, Range range, double fewest_rows = 3,
+                 std::size_t fewest_numbers = 2) {
+    constexpr std::size_t kinds = 9;
     constexpr double unrounded = 3e-5;  // computed from values with more digits than are written
     std::array<bool, kinds> agrees;
     agrees.fill(true);
@@ -140,6 +147,7 @@ bool is_computed(const Row& row, const std::vector<Row>& rows, Range range,
         if (!number) continue;
         const Statistics above = statistics_of(rows, range, column);
         if (above.n < fewest_rows) return false;
+        if (fewest_numbers == 1 && above.squares == 0 && *number == above.mean()) continue;
         ++numbers;
         const std::vector<double> all = above.all();
         for (std::size_t k = 0; k < kinds; ++k)
@@ -222,9 +230,11 @@ bool names_statistic_alone(const std::vector<Row>& rows, std::size_t i) {
 
 bool names_statistic(std::string_view text) {
     const std::vector<std::string> words = words_of(text);
+    const bool of_load = std::ranges::any_of(words, is_stress_unit);
     return std::ranges::any_of(words, is_statistic) &&
-           std::ranges::all_of(words, [](const std::string& word) {
-               return is_statistic(word) || is_among(beside_statistics, word);
+           std::ranges::all_of(words, [&](const std::string& word) {
+               return is_statistic(word) || is_among(beside_statistics, word) ||
+                      (of_load && (number_in(word) || is_stress_unit(word)));
            });
 }
 
@@ -270,7 +280,7 @@ std::vector<std::size_t> rows_of_statistics(const std::vector<Row>& rows) {
     for (std::size_t i = 0; i < count; ++i) {
         const bool behind_statistic = !found.empty() && found.back() + 1 == i;
         if (!behind_statistic) above.end = i;
-        if (names_statistic_alone(rows, i) && is_computed(rows[i], rows, above, fewest_repeats))
+        if (names_statistic_alone(rows, i) && is_computed(rows[i], rows, above, fewest_repeats, 1))
             found.push_back(i);
         else if (behind_statistic)
             above = {i, i};

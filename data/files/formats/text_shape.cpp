@@ -73,12 +73,14 @@ std::vector<std::size_t> cells_between_blanks(std::string_view line, std::size_t
     return begins;
 }
 
-/// Bytes at which the cells of a line begin, where a bracket ends each: "Time [s] Gap [mm]".
+/// Bytes at which the cells of a line begin, where a bracket and a blank end each: "Time [s] Gap
+/// [mm]".
 std::vector<std::size_t> cells_after_brackets(std::string_view line) {
     std::vector<std::size_t> begins;
     bool closed = true;
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (is_blank_character(line[i])) continue;
+        if (closed && i > 0 && !begins.empty() && !is_blank_character(line[i - 1])) return {};
         if (closed) begins.push_back(i);
         closed = line[i] == ']' || line[i] == ')';
     }
