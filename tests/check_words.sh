@@ -54,7 +54,7 @@ done
 if command -v codespell >/dev/null; then
   find data sim calib analysis workflow reports app python include bench tests docs examples scripts cmake \
        -not -path '*/node_modules/*' -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.md' -o -name '*.sh' -o -name '*.cmake' -o -name '*.toml' -o -path 'python/*.py' \) \
-       -print0 | xargs -0 codespell -q 3 -L doesnot,gird,lits,frition,coeficient,desnity,commun,nin,normale,mesure,projet,momento,intervall,als,merrors,tork,stap,ot,modul,fase,amplitud,produkt,serie,groupe,somme,degres,alle,contro,paret \
+       -print0 | xargs -0 codespell -q 3 -L doesnot,gird,lits,frition,coeficient,desnity,commun,nin,normale,mesure,projet,momento,intervall,als,merrors,tork,stap,ot,modul,fase,amplitud,produkt,serie,groupe,somme,degres,alle,contro,paret,ist,valide \
        README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md || broken=1
 fi
 exit $broken

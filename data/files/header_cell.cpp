@@ -58,6 +58,15 @@ constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::stan
                                   Spelling{"st. dev.", ErrorMark::standard_deviation},
                                   Spelling{"stddev", ErrorMark::standard_deviation},
                                   Spelling{"stdev", ErrorMark::standard_deviation},
+                                  Spelling{"expanded uncertainty", ErrorMark::half_width},
+                                  Spelling{"erweiterte unsicherheit", ErrorMark::half_width},
+                                  Spelling{"incertitude élargie", ErrorMark::half_width},
+                                  Spelling{"incertezza estesa", ErrorMark::half_width},
+                                  Spelling{"incertidumbre expandida", ErrorMark::half_width},
+                                  Spelling{"95 % ci", ErrorMark::half_width},
+                                  Spelling{"95% ci", ErrorMark::half_width},
+                                  Spelling{"ci 95 %", ErrorMark::half_width},
+                                  Spelling{"ci95", ErrorMark::half_width},
                                   Spelling{"standard error", ErrorMark::standard_error},
                                   Spelling{"standardfehler", ErrorMark::standard_error},
                                   Spelling{"standardunsicherheit", ErrorMark::standard_error},
@@ -71,11 +80,15 @@ constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::stan
                                   Spelling{"incertezza", ErrorMark::standard_error},
                                   Spelling{"stderr", ErrorMark::standard_error},
                                   Spelling{"error", ErrorMark::standard_error},
+                                  Spelling{"err", ErrorMark::standard_error},
                                   Spelling{"fehler", ErrorMark::standard_error},
                                   Spelling{"erreur", ErrorMark::standard_error},
                                   Spelling{"errore", ErrorMark::standard_error},
                                   Spelling{"std", ErrorMark::standard_deviation},
                                   Spelling{"u95", ErrorMark::half_width},
+                                  Spelling{"2σ", ErrorMark::half_width},
+                                  Spelling{"2 sd", ErrorMark::half_width},
+                                  Spelling{"cv", ErrorMark::standard_deviation},
                                   Spelling{"sd", ErrorMark::standard_deviation},
                                   Spelling{"se", ErrorMark::standard_error},
                                   Spelling{"±", ErrorMark::standard_error},
@@ -85,6 +98,9 @@ constexpr std::array spellings = {Spelling{"standard deviation", ErrorMark::stan
 /// Takes a mark of errors such as "_sd" off the end of a name, with its separator.
 ErrorMark take_mark(std::string_view& name) {
     const std::string lower = lower_case(name);
+    // "Standard error" alone has no values named "Standard".
+    if (std::ranges::find(spellings, lower, &Spelling::text) != spellings.end())
+        return ErrorMark::none;
     for (const auto& [text, mark] : spellings) {
         if (!lower.ends_with(text) || lower.size() <= text.size()) continue;
         const char separator = lower[lower.size() - text.size() - 1];
@@ -269,7 +285,8 @@ ErrorMark bare_mark(const HeaderCell& cell) {
     constexpr std::array faults = {"error", "fehler", "erreur", "errore"};
     const bool code_of_fault =
         cell.unit.empty() && std::ranges::find(faults, lower) != faults.end();
-    return code_of_fault ? ErrorMark::none : found->mark;
+    const bool ratio = lower == "cv" && cell.unit != "%";
+    return code_of_fault || ratio ? ErrorMark::none : found->mark;
 }
 
 namespace {

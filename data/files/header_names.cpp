@@ -73,6 +73,10 @@ void name_errors(Row& header, const std::vector<HeaderCell>& cells) {
         const ErrorMark mark = cells[i].deviation() ? cells[i].mark : bare_mark(cells[i]);
         header.cells[i].text = fmt::format("{}{}", named.name, suffix_of(mark));
         if (!unit.empty()) header.cells[i].text += fmt::format(" [{}]", unit);
+        // "SD" and "n" beside it: that of n values.
+        if (mark == ErrorMark::standard_deviation && i + 1 < cells.size() &&
+            folded_name(cells[i + 1].name) == "n" && cells[i + 1].unit.empty())
+            header.cells[i + 1].text = fmt::format("{}_n", named.name);
     }
 }
 

@@ -140,6 +140,23 @@ TEST(ErrorsBehindTheirValues, MayBePercentOfThem) {
     }
 }
 
+TEST(ErrorsBehindTheirValues, HaveNamesOfStatistics) {
+    for (const auto& [name, cell, expected] :
+         {std::tuple("Standard error [kPa]", "0.03", 30.0),
+          std::tuple("tau_err [kPa]", "0.03", 30.0), std::tuple("CV [%]", "5", 40.0),
+          std::tuple("95 % CI [kPa]", "0.0392", 20.0),
+          std::tuple("Expanded uncertainty [kPa]", "0.0392", 20.0),
+          std::tuple("2σ [kPa]", "0.0392", 20.0), std::tuple("SD [kPa];n", "0.03;9", 10.0)}) {
+        const FileView view = points(
+            fmt::format("Normal stress [kPa];{1} [kPa];{0}\n1;0.8;{2}\n2;1.4;{2}\n3;2;{2}\n", name,
+                        std::string(name).starts_with("tau") ? "tau" : "Shear stress", cell));
+        const Block& block = view.file.blocks.front();
+        const auto error =
+            Columns(block.table).standard_error(block.table.rows.front(), "shear_stress");
+        EXPECT_THAT(error.value_or(0), DoubleNear(expected, 0.01)) << name;
+    }
+}
+
 /// Cells behind the last text of such a row do not exist; it was read beyond its end.
 TEST(RowsBelowATable, MayHaveNoText) {
     EXPECT_THAT(points("Normal stress [kPa];Shear stress [kPa]\n" + rows(1) + ";\n;\n").loci,
