@@ -52,6 +52,18 @@ bool lacks_torque(const FileView& view) {
 
 /// Comment on a value that stands above the table.
 std::string from_line(const StatedValue& stated) {
+    const std::string text =
+        fmt::format("\"{}: {}\" in line {} of the file", stated.key, stated.text, stated.line);
+    switch (stated.doubt) {
+        case StatedDoubt::other_mark:
+            return "GUESS: the mark in " + text + " may also be that of decimals";
+        case StatedDoubt::range:
+            return "GUESS: the middle of " + text;
+        case StatedDoubt::name:
+            return "GUESS: from " + text;
+        case StatedDoubt::none:
+            break;
+    }
     return fmt::format("from line {} of the file", stated.line);
 }
 

@@ -193,10 +193,24 @@ std::string missing_unit(std::string_view number, const Unit& expected) {
                        unit, scaled ? fmt::format(", \"{} {}{}\"", number, prefix, unit) : "");
 }
 
+namespace {
+
+/// Whether a unit begins with a number other than that of "1/s" and a power of ten such as "10^3".
+bool begins_with_factor(std::string_view unit) {
+    constexpr std::string_view digits = "0123456789";
+    if (unit.empty() || digits.find(unit.front()) == std::string_view::npos) return false;
+    if (unit.starts_with("1/")) return false;
+    const char after = unit.starts_with("10") && unit.size() > 2 ? unit[2] : ' ';
+    return after != '^' && after != '*' && static_cast<unsigned char>(after) < 0x80;
+}
+
+}  // namespace
+
 double quantity_in_si(std::string_view text, const Unit& expected) {
     const auto [number, unit_text] = split_quantity(text);
     const auto value = parse_number(number);
-    if (!value) {
+    // UDUNITS multiplies two numbers: "2 650 kg" would be 1300 kg.
+    if (!value || begins_with_factor(unit_text)) {
         const char* const hint = has_decimal_comma(number) ? "; the decimal sign is '.'" : "";
         throw std::invalid_argument(
             fmt::format("\"{}\" is not a number with a unit, like \"500 um\"{}", text, hint));

@@ -109,6 +109,12 @@ const std::vector<CellFact>& cell_facts() {
     return all;
 }
 
+/// Radii from those of the smallest rheometers to those of the largest ring shear testers, and ten
+/// times beyond: of the readings of "10,500 mm", 10.5 m is none.
+PossibleValues possible_values(const CellFact& fact) {
+    return std::string_view(fact.unit) == "m" ? PossibleValues{1e-4, 3} : PossibleValues{};
+}
+
 /// Constants of a cell with their names.
 struct Constant {
     std::optional<StatedValue> StatedCell::*member;
@@ -125,7 +131,7 @@ std::vector<Remark> compare(const BlockFile& file, const StatedCell& stated,
     std::vector<Remark> faults;
     for (const auto& [member, name, unit, value, scale] : constants) {
         const std::optional<StatedValue>& own = stated.*member;
-        if (!own || value == 0) continue;
+        if (!own || own->doubt != StatedDoubt::none || value == 0) continue;
         const double ratio = own->value / std::abs(value);
         if (std::abs(ratio - 1) <= tolerance) continue;
         faults.push_back({.kind = kind,
@@ -146,8 +152,10 @@ StatedCell stated_cell(const BlockFile& file) {
     for (const StatedFact& fact : stated_facts(file)) {
         for (const CellFact& each : cell_facts()) {
             if (cell.*each.member || !is_among_names(fact.name, each.names)) continue;
-            if (const auto value = positive_value(fact, each.unit, file.numbers))
-                cell.*each.member = {each.factor * *value, fact.line, fact.key, fact.text};
+            auto stated = positive_value(fact, each.unit, possible_values(each), file.numbers);
+            if (!stated || stated->doubt == StatedDoubt::range) continue;
+            stated->value *= each.factor;
+            cell.*each.member = stated;
         }
     }
     return cell;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
@@ -14,20 +15,20 @@
 #include "data/files/text_pattern.h"
 #include "data/input_error.h"
 #include "data/quantities/number.h"
+#include "data/recordings/stated_number.h"
 
 namespace pendular {
 namespace {
 
-/// First fact with one of these names whose value has the dimension of a unit.
-std::optional<StatedValue> first_of(const BlockFile& file, const std::vector<StatedFact>& facts,
-                                    const std::vector<std::string_view>& names, const char* unit) {
-    for (const StatedFact& fact : facts) {
-        if (!is_among_names(fact.name, names)) continue;
-        if (const auto value = positive_value(fact, unit, file.numbers))
-            return StatedValue{*value, fact.line, fact.key, fact.text};
-    }
-    return std::nullopt;
-}
+using Words = std::vector<std::string_view>;
+
+/// Quantity of the beads with the names that headers give it.
+struct SampleFact {
+    const std::vector<std::string_view>& names;
+    const char* unit;
+    PossibleValues possible;
+    Words of_another = {};  ///< words of a line that states another quantity
+};
 
 const std::vector<std::string_view> names_of_diameter = {
     "bead diameter",           "diameter of the beads",
@@ -129,21 +130,71 @@ const std::vector<std::string_view> names_by_mass = {"water content",
                                                      "contenuto di acqua",
                                                      "acqua"};
 
+/// Whether a word of a text begins with one of these.
+bool has_word(std::string_view text, const Words& begins) {
+    return std::ranges::any_of(lower_case_words(text), [&](const std::string& word) {
+        return std::ranges::any_of(begins,
+                                   [&](std::string_view begin) { return word.starts_with(begin); });
+    });
+}
+
+/// Words of a line that speaks of grains with the pores between them.
+const Words words_of_packing = {"loose",  "lose",    "bulk",   "tapp",    "pour",    "fill",
+                                "pack",   "füll",    "fuell",  "schütt",  "schuett", "stampf",
+                                "rüttel", "ruettel", "appar",  "aparen",  "tass",    "vrac",
+                                "sfus",   "mucchio", "granel", "compact", "compatt"};
+
+/// Words of a line that speaks of grains with their liquid.
+const Words words_of_wet = {"wet",  "moist",  "feucht", "nass",  "humid", "húmed",
+                            "umid", "mouill", "bagnat", "mojad", "damp"};
+
+/// First fact with one of the names whose value has the dimension of the unit.
+std::optional<StatedValue> first_of(const BlockFile& file, const std::vector<StatedFact>& facts,
+                                    const SampleFact& sought) {
+    for (const StatedFact& fact : facts) {
+        if (!is_among_names(fact.name, sought.names)) continue;
+        auto value = positive_value(fact, sought.unit, sought.possible, file.numbers);
+        if (!value || has_word(fact.whole, sought.of_another)) continue;
+        if (!fact.remark.empty()) value->doubt = StatedDoubt::name;
+        return value;
+    }
+    return std::nullopt;
+}
+
+/// The number that a text of digits, marks and blanks is, below a limit.
+std::optional<double> only_number(const std::string& text, double most, const NumberStyle& style) {
+    const auto number = stated_number(text, style);
+    if (!number || number->range || !number->unit.empty()) return std::nullopt;
+    std::vector<double> possible;
+    for (const double reading : number->readings)
+        if (reading <= most) possible.push_back(reading);
+    return possible.size() == 1 ? std::optional(possible.front()) : std::nullopt;
+}
+
+/// Whether what stands behind a content makes it that of a part of a mixture: "60 % in water".
+bool is_concentration(const std::string& behind) {
+    constexpr std::array<std::string_view, 12> signs = {
+        "in",       "en",     "dans",  "aqueous", "aq",     "sol",
+        "solution", "lösung", "mixed", "dissous", "gelöst", "soluzione"};
+    return std::ranges::any_of(lower_case_words(behind), [&](const std::string& word) {
+        return std::ranges::find(signs, word) != signs.end();
+    });
+}
+
 /// Liquid content in the text of a fact: a number alone, or one in per cent among words. What is
 /// larger than 0.5 without a unit is in per cent: more would fill the pores of any packing.
 std::optional<double> content_of(const StatedFact& fact, const NumberStyle& style) {
-    static const TextPattern percent(R"((\d+(?:[.,]\d+)?)\s*(?:%|vol\.?\s*-?%|wt\.?\s*-?%))");
-    static const TextPattern alone(R"((\d+(?:[.,]\d+)?)(?:\s*(?:v/v|w/w|-|1))?)");
-    std::string text(trimmed(fact.text));
-    const auto number = [&](const PatternMatch& match) {
-        return parse_number(rewritten(match.parts[1], style));
-    };
+    static const TextPattern percent(R"((\d[\d.,' ]*\d|\d)\s*(?:%|vol\.?\s*-?%|wt\.?\s*-?%)(.*))");
+    static const TextPattern alone(R"((\d[\d.,' ]*\d|\d)(?:\s*(?:v/v|w/w|-|1))?)");
+    const std::string text(trimmed(fact.text));
     if (const auto found = percent.first(text)) {
-        const auto value = number(*found);
+        const auto value = is_concentration(found->parts[2])
+                               ? std::nullopt
+                               : only_number(found->parts[1], 100, style);
         return value ? std::optional(*value / 100) : std::nullopt;
     }
     const auto found = alone.whole(text);
-    const auto value = found ? number(*found) : std::nullopt;
+    const auto value = found ? only_number(found->parts[1], 100, style) : std::nullopt;
     if (!value) return std::nullopt;
     return *value > 0.5 || fact.unit.ends_with('%') ? *value / 100 : *value;
 }
@@ -155,12 +206,16 @@ bool names_basis(const std::string& text, const std::vector<std::string_view>& w
         words, [&](std::string_view word) { return lower.find(word) != std::string::npos; });
 }
 
+/// Volume of liquid over that of grains, or of their masses, that no packing of beads holds: its
+/// pores have at most 0.45/0.55 of the volume of the grains.
+constexpr double most_content = 0.82;
+
 std::optional<StatedLiquid> liquid_above(const BlockFile& file) {
     for (const StatedFact& fact : stated_facts(file)) {
         const bool mass = is_among_names(fact.name, names_by_mass);
         if (!mass && !is_among_names(fact.name, names_by_volume)) continue;
         const auto value = content_of(fact, file.numbers);
-        if (!value || !(*value < 1)) continue;
+        if (!value || !(*value < most_content)) continue;
         const std::string all = fact.text + " " + fact.unit;
         const bool by_mass = names_basis(all, {"mass", "wt", "w/w", "gew", "peso"}) ||
                              (mass && !names_basis(all, {"vol", "v/v"}));
@@ -186,9 +241,10 @@ void check_equal(double content, double first, const Table& table, const Row& ro
 
 StatedSample stated_sample(const BlockFile& file) {
     const std::vector<StatedFact> facts = stated_facts(file);
-    return {first_of(file, facts, names_of_diameter, "m"),
-            first_of(file, facts, names_of_density, "kg/m^3"),
-            first_of(file, facts, names_of_mass, "kg")};
+    // Powders to boulders, foamed polymers to platinum, and samples up to those of a large cell.
+    return {first_of(file, facts, {names_of_diameter, "m", {1e-8, 0.1}}),
+            first_of(file, facts, {names_of_density, "kg/m^3", {20, 25e3}, words_of_packing}),
+            first_of(file, facts, {names_of_mass, "kg", {1e-6, 1e3}, words_of_wet})};
 }
 
 std::optional<StatedLiquid> liquid_in_column(const BlockFile& file) {

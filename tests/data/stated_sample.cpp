@@ -100,6 +100,97 @@ TEST_F(StatedSample, HasALiquidInAColumn) {
     }
 }
 
+/// A person writes the numbers above a table in a style of his own, which a delimiter may split.
+TEST_F(StatedSample, HasNumbersWithADecimalCommaInACommaSeparatedFile) {
+    for (const char* const mark : {"", "# "}) {
+        std::string text = mark + std::string("Reindichte: 2,5 g/cm³\n") + mark +
+                           "Particle diameter: 1,5 mm\n" + mark + "Bead mass: 12,5 g\n" + mark +
+                           "Innenradius: 10,5 mm,,,\n" + mark + "Wassergehalt: 1,5 %\n" +
+                           "Time [s],Speed [rpm],Normal force [N],Torque [mNm],Gap [mm]\n";
+        for (int i = 0; i < 60; ++i)
+            text += fmt::format("{},0.95,5.0{},2{}.1,12.0{}\n", i, i % 7, i % 5, i % 3);
+        const FileView seen = view_of_file(folder_.write("comma.csv", text));
+        const auto sample = stated_sample(seen.file);
+        EXPECT_NEAR(sample.density.value_or(StatedValue{}).value, 2500, 1e-6);
+        EXPECT_NEAR(sample.diameter.value_or(StatedValue{}).value, 1.5e-3, 1e-12);
+        EXPECT_NEAR(sample.mass.value_or(StatedValue{}).value, 0.0125, 1e-12);
+        EXPECT_NEAR(seen.stated.inner_radius.value_or(StatedValue{}).value, 0.0105, 1e-12);
+        EXPECT_NEAR(stated_liquid(seen.file).value_or(StatedLiquid{}).value, 0.015, 1e-12);
+    }
+}
+
+TEST_F(StatedSample, IsNoProductOfTwoNumbers) {
+    const auto mass = [&](const std::string& line) {
+        return stated_sample(view(line + "\n\n").file).mass.value_or(StatedValue{}).value;
+    };
+    EXPECT_NEAR(mass("Bead mass: 12 500 mg"), 0.0125, 1e-12);
+    EXPECT_NEAR(mass("Bead mass: 12\u202f500 mg"), 0.0125, 1e-12);
+    EXPECT_NEAR(mass("Bead mass: 1.234,5 mg"), 0.0012345, 1e-12);
+    EXPECT_NEAR(mass("Bead mass: 12,5 ± 0,1 g"), 0.0125, 1e-12);
+    for (const char* const line :
+         {"Bead mass: 2 50 g", "Bead mass;12;5 g", "Bead mass: 2 x 50 g", "Bead mass: 12,5,3 g"})
+        EXPECT_EQ(mass(line), 0) << line;
+}
+
+/// The rows have decimal commas; who writes "1.250" above them may mean either.
+TEST_F(StatedSample, IsInDoubtWhereAMarkMayBeEither) {
+    const auto sample = [&](const std::string& line) {
+        return stated_sample(view(line + "\n\n").file);
+    };
+    for (const char* const line : {"Density: 2.650 kg/m³", "Density: 2,650 kg/m³",
+                                   "Density: 2,650 g/cm³", "Density: 2.650 g/cm³"}) {
+        const StatedValue density = sample(line).density.value_or(StatedValue{});
+        EXPECT_NEAR(density.value, 2650, 1e-6) << line;
+        EXPECT_EQ(density.doubt, StatedDoubt::none) << line;
+    }
+    EXPECT_EQ(sample("Bead diameter: 1.250 µm").diameter->doubt, StatedDoubt::other_mark);
+    EXPECT_EQ(sample("Bead diameter: 1,250 mm").diameter->doubt, StatedDoubt::none);
+    const auto range = sample("Grain size: 0,4-0,6 mm").diameter.value_or(StatedValue{});
+    EXPECT_NEAR(range.value, 0.5e-3, 1e-12);
+    EXPECT_EQ(range.doubt, StatedDoubt::range);
+}
+
+TEST_F(StatedSample, HasNoDensityOfAPackingAndNoContentOfAMixture) {
+    for (const char* const line :
+         {"Density (loose): 1,45 g/cm³", "Density (bulk): 1,45 g/cm³",
+          "Dichte (Schüttung): 1,5 g/cm³", "Densité (apparente): 1,5 g/cm³",
+          "Density: 1,45 g/cm³ loose", "Density: 1,45 g/cm³, tapped 100 g"})
+        EXPECT_FALSE(stated_sample(view(std::string(line) + "\n\n").file).density) << line;
+    EXPECT_FALSE(stated_sample(view("Sample mass (wet): 14 g\n\n").file).mass);
+    EXPECT_EQ(stated_sample(view("Density (glass): 2,5 g/cm³\n\n").file).density->doubt,
+              StatedDoubt::name);
+    for (const char* const line :
+         {"Liquid: glycerol 60 wt% in water", "Liquid: 5 % NaCl in water", "Water: 95 %"})
+        EXPECT_FALSE(stated_liquid(view(std::string(line) + "\n\n").file)) << line;
+}
+
+/// Points of failure on 200 Pa + 0.6 s below one line.
+FileView points_below(const std::string& line) {
+    const TemporaryFolder folder;
+    return view_of_file(folder.write(
+        "p.csv", line + "\nNormal stress [kPa],Shear stress [kPa]\n1,0.8\n2,1.4\n3,2.0\n4,2.6\n"));
+}
+
+TEST_F(StatedSample, HasAPreshearInOneLine) {
+    for (const char* const line :
+         {"Preshear: 5 kPa, 3.1 kPa", "Preshear stress 5 kPa / shear 3.1 kPa",
+          "Vorscheren: σ = 5 kPa; τ = 3.1 kPa", "sigma_pre = 5 kPa, tau_pre = 3.1 kPa",
+          "Preshear (kPa),5\nPreshear shear stress (kPa),3.1",
+          "Preshear normal stress: 5,000 Pa\nPreshear shear stress: 3,100 Pa",
+          "Preshear shear stress: 3 100 Pa\nPreshear normal stress: 5 000 Pa",
+          "Preshear: 5.0 kPa (nominal 6 kPa), τ = 3.1 kPa"}) {
+        const FileView view = points_below(line);
+        ASSERT_EQ(view.loci.size(), 1u) << line;
+        ASSERT_TRUE(view.loci[0].preshear) << line;
+        EXPECT_NEAR(view.loci[0].preshear->normal_stress, 5000, 1e-9) << line;
+        EXPECT_NEAR(view.loci[0].preshear->shear_stress, 3100, 1e-9) << line;
+    }
+    EXPECT_EQ(points_below("Preshear at 5 kPa").file.blocks[0].preshear_normal_stress, 5000);
+    for (const char* const line : {"No preshear, 5 kPa at most", "Preshear: 2 kPa",
+                                   "Preshear: 6 kPa, 5 kPa", "Preshear: 1 5 kPa"})
+        EXPECT_FALSE(points_below(line).file.blocks[0].preshear_normal_stress) << line;
+}
+
 /// Half of the rows at the largest torque are told of the file already, as of the study.
 TEST_F(StatedSample, TellsOfATorqueThatIsCutOff) {
     std::string text = names + "\n";

@@ -152,6 +152,13 @@ TEST(Quantities, RefuseWhatIsNoNumber) {
         {refusal("large", "m"), refusal("1,25 m", "m"), refusal("nan m", "m"), refusal("", "m")});
 }
 
+TEST(Quantities, AreNoProductOfTwoNumbers) {
+    for (const char* const text : {"2 650 kg/m^3", "2 100 kg/m^3", "2 10 kg/m^3", "2 10kg/m^3"})
+        EXPECT_THROW(quantity_in_si(text, Unit("kg/m^3")), std::invalid_argument) << text;
+    EXPECT_DOUBLE_EQ(quantity_in_si("2.65 10^3 kg/m^3", Unit("kg/m^3")), 2650);
+    EXPECT_DOUBLE_EQ(quantity_in_si("2 1/s", Unit("1/s")), 2);
+}
+
 TEST(Quantities, ComeInListsThatShareAUnit) {
     using testing::ElementsAre;
     EXPECT_THAT(quantities_in_si("0.3, 1, 3 kPa", Unit("Pa")), ElementsAre(300, 1000, 3000));

@@ -95,8 +95,26 @@ std::optional<std::size_t> place_of_names(const SourceLines& source, char delimi
     return place;
 }
 
+/// What stands between two cells of a statement: the comma of "2,5 g" is part of a number in a file
+/// whose delimiter it is, while a blank would make two numbers of it. Two numbers stay apart.
+std::string_view between_cells(std::string_view before, std::string_view after, char delimiter,
+                               std::string_view line) {
+    if (before.empty()) return "";
+    const std::string joined = fmt::format("{}{}{}", before, delimiter, after);
+    const std::string_view apart = delimiter == ',' ? ", " : "; ";
+    constexpr std::string_view digits = "0123456789";
+    if (digits.find(before.back()) != std::string_view::npos &&
+        digits.find(after.front()) != std::string_view::npos && delimiter == ',' &&
+        line.find(joined) != std::string_view::npos)
+        return ",";
+    const bool both = before.find_first_of(digits) != std::string_view::npos &&
+                      after.find_first_of(digits) != std::string_view::npos;
+    return both || after.find_first_of(":=") != std::string_view::npos ? apart : " ";
+}
+
 /// Adds what a line of a preamble states. Commas and the like after the value are empty cells.
-void add_stated(const Row& row, BlockFile& file) {
+/// @param line the line as in the file; empty: a decimal comma is not sought in it
+void add_stated(const Row& row, char delimiter, std::string_view line, BlockFile& file) {
     std::vector<std::string_view> filled;
     for (const Cell& cell : row.cells)
         if (!cell.text.empty()) filled.emplace_back(cell.text);
@@ -105,12 +123,15 @@ void add_stated(const Row& row, BlockFile& file) {
     while (key.starts_with('#'))
         key = trimmed(key.substr(1));
     std::string value;
-    if (const std::size_t mark = key.find_first_of(":="); mark != std::string_view::npos) {
+    const std::size_t mark = key.find_first_of(":=");
+    if (mark != std::string_view::npos) {
         value = trimmed(key.substr(mark + 1));
         key = trimmed(key.substr(0, mark));
     }
+    // Cells behind one that is a name are values of their own.
+    if (mark == std::string_view::npos) line = {};
     for (std::size_t i = 1; i < filled.size(); ++i) {
-        if (!value.empty()) value += ' ';
+        value += between_cells(i == 1 ? value : filled[i - 1], filled[i], delimiter, line);
         value += filled[i];
     }
     if (key.empty()) return;
@@ -334,7 +355,8 @@ void take_preamble(SourceLines& source, BlockFile& file) {
     const ExaminedLine& next = lines[*names + 1];
     if (comments && (next.units == 0 || next.texts > 0)) return;
     for (const ExaminedLine& line : above) {
-        add_stated(source.row(line.index, delimiter), file);
+        add_stated(source.row(line.index, delimiter), delimiter,
+                   source.of_sheet ? "" : source.lines[line.index], file);
         source.lines[line.index] = {};
     }
 }
