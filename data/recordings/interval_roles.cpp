@@ -296,9 +296,10 @@ std::vector<IntervalRole> roles_of(const BlockFile& file, const std::vector<Inte
         else if (impossible[i])
             roles.push_back(
                 {"other", "a stress that stands for no value beside those of the other points"});
-        else if (!file.shown_wall.empty() && (file.table_of_points || loading[i].sheared))
-            roles.push_back(
-                {"wall", fmt::format("shear along a wall, as {} shows", file.shown_wall)});
+        else if (const std::string shown =
+                     file.shown_wall.empty() ? named_wall(file.blocks[i]) : file.shown_wall;
+                 !shown.empty() && (file.table_of_points || loading[i].sheared))
+            roles.push_back({"wall", fmt::format("shear along a wall, as {} shows", shown)});
         else if (file.table_of_points)
             roles.push_back(
                 {"failure", is_stated_failure(file.blocks[i])

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -11,6 +12,7 @@
 
 #include "data/files/columns.h"
 #include "data/files/folded_name.h"
+#include "data/files/text_pattern.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/findings/detectors.h"
 #include "data/recordings/step_series.h"
@@ -176,6 +178,70 @@ bool names_wall_friction(std::string_view text) {
     return false;
 }
 
+/// Parts of a text between commas and the like.
+std::vector<std::string_view> clauses_of(std::string_view text) {
+    std::vector<std::string_view> clauses;
+    while (true) {
+        const std::size_t end = std::min(text.find_first_of(",;:"), text.size());
+        clauses.push_back(text.substr(0, end));
+        if (end == text.size()) return clauses;
+        text.remove_prefix(end + 1);
+    }
+}
+
+/// Whether a text that speaks of wall friction denies that it is tested, corrects for it, states
+/// its value, or refers to another file.
+bool speaks_of_wall_beside_test(std::string_view text) {
+    static const Parts begins = {"negl",    "vernachl", "néglig", "desprec", "trascur",
+                                 "ignor",   "correct",  "korr",   "corrig",  "corrett",
+                                 "compens", "kompens",  "siehe",  "voir",    "vedi",
+                                 "véase",   "csv",      "xlsx",   "assumed"};
+    static const Parts whole = {"not", "without", "ohne",  "kein", "keine", "sans",
+                                "non", "sin",     "senza", "none", "see",   "is"};
+    static const TextPattern value(
+        R"((?:of|der|de|della|del)\s+(?:the\s+|la\s+)?(?:cell|zelle|celd))"
+        R"(|\d\s*(?:°|deg|grad)|(?:angle|winkel|coeff?ici|koeffi|angolo|ángulo|kąt|=)\D*\d)");
+    const std::vector<std::string> words = words_of(text);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        // "Wall friction test no. 3" denies nothing.
+        const bool denies = words[i] == "no" && i + 1 < words.size() &&
+                            !std::isdigit(static_cast<unsigned char>(words[i + 1].front()));
+        if (denies || begins_with_any(words[i], begins) ||
+            std::ranges::find(whole, words[i]) != whole.end())
+            return true;
+    }
+    return value.first(lower_case(text)).has_value();
+}
+
+/// Whether a text names a test of wall friction: its first part does so, or one that says no more
+/// or has a word for a test.
+bool names_wall_test(std::string_view text) {
+    static const Parts tests = {"test",  "versuch", "prüf",  "pruef",  "mess",  "essai", "mesure",
+                                "prova", "misura",  "ensay", "ensaio", "locus", "badan", "zkouš"};
+    if (!names_wall_friction(text) || speaks_of_wall_beside_test(text)) return false;
+    constexpr std::size_t no_more = 3;  // words: "friction at walls"
+    const std::vector<std::string_view> clauses = clauses_of(text);
+    for (const std::string_view clause : clauses) {
+        if (!names_wall_friction(clause)) continue;
+        const std::vector<std::string> words = words_of(clause);
+        if (clause.data() == clauses.front().data() || words.size() <= no_more ||
+            std::ranges::any_of(
+                words, [](const std::string& word) { return begins_with_any(word, tests); }))
+            return true;
+    }
+    return false;
+}
+
+/// Whether a line above a table names it a test of wall friction. A number as its value is that of
+/// the friction.
+bool states_wall_test(const Fact& fact) {
+    if (fact.key.starts_with("title")) return names_wall_test(fact.value);
+    const bool number = !fact.value.empty() && fact.value.size() < 100 &&
+                        std::isdigit(static_cast<unsigned char>(fact.value.front())) &&
+                        names_wall_friction(fact.key);
+    return !number && names_wall_test(fact.key + ": " + fact.value);
+}
+
 /// Whether a column of stresses has a name of a wall, by whole words: "Prepared" holds "pared".
 bool is_of_wall(const BlockColumn& column) {
     constexpr std::array<std::string_view, 8> names = {"wall", "paroi",  "pared", "parete",
@@ -232,17 +298,24 @@ const char* shear_word(const IntervalSeries& series) {
 }
 
 std::string shown_wall(const BlockFile& file) {
-    for (const Block& block : file.blocks) {
+    for (const Block& block : file.blocks)
         for (const BlockColumn& column : block.columns)
             if (is_of_wall(column)) return fmt::format("its column '{}'", column.name);
-        if (names_wall_friction(block.test)) return fmt::format("its name '{}'", block.test);
-    }
+    const auto named = std::ranges::count_if(
+        file.blocks, [](const Block& block) { return !named_wall(block).empty(); });
+    // Where some tests have such a name, others are none.
+    if (named > 0) return named == std::ssize(file.blocks) ? named_wall(file.blocks.front()) : "";
     for (const Fact& fact : file.facts)
-        if (names_wall_friction(fact.key + ": " + fact.value))
-            return fmt::format("its line '{}'",
-                               fact.key == "title" ? fact.value : fact.key + ": " + fact.value);
+        if (states_wall_test(fact))
+            return fmt::format("its line '{}'", fact.key.starts_with("title")
+                                                    ? fact.value
+                                                    : fact.key + ": " + fact.value);
     const std::string name = std::filesystem::path(file.file).filename().string();
     return names_wall_friction(name) ? fmt::format("its name '{}'", name) : "";
+}
+
+std::string named_wall(const Block& block) {
+    return names_wall_test(block.test) ? fmt::format("its name '{}'", block.test) : "";
 }
 
 std::optional<std::string> stress_growth(const IntervalSeries& series) {

@@ -35,8 +35,14 @@ bool is_table_of_points(const Block& block, const IntervalSeries& series);
 bool is_table_of_readings(const Block& block);
 
 /// Returns what shows that grains were sheared along a wall: the name of a column, such as "Wall
-/// shear stress", or of the file, its sheet or its test, such as "Wandreibung"; empty for nothing.
+/// shear stress", or of the file, its sheet or its tests, such as "Wandreibung", or a line above
+/// the table that names the test so. Empty for nothing, and where only some of the tests have such
+/// a name (`named_wall`). A line that states an angle of wall friction, or that there is none,
+/// names no test.
 std::string shown_wall(const BlockFile& file);
+
+/// Returns the name of the test of a block, as `shown_wall` does, if it is one of wall friction.
+std::string named_wall(const Block& block);
 
 /// Name of the quantity that shows the shear of an interval, such as "torque".
 const char* shear_word(const IntervalSeries& series);

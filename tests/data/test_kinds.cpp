@@ -225,4 +225,40 @@ TEST(WallFriction, IsNamedInMoreWords) {
     EXPECT_EQ(shown_wall(file), "");
 }
 
+TEST(WallFriction, IsTestedOnlyWhereALineNamesTheTest) {
+    const auto shown = [](const std::string& key, const std::string& value) {
+        BlockFile file;
+        file.file = "t.csv";
+        file.blocks.emplace_back();
+        file.add_fact({key, value, 1});
+        return !shown_wall(file).empty();
+    };
+    for (const char* const title :
+         {"Cell with smooth side walls; no wall friction correction applied",
+          "Consolidated at 5 kPa; wall friction angle 12°", "Steel lid, wall friction negligible",
+          "Wall friction coefficient 0.3", "Without wall friction", "Keine Wandreibung",
+          "Wall friction of the cell see file wf.csv", "Wandreibung vernachlässigt"})
+        EXPECT_FALSE(shown("title", title)) << title;
+    EXPECT_FALSE(shown("Wall friction of the cell", "see file wf.csv"));
+    EXPECT_FALSE(shown("Wall friction", "0.3"));
+    EXPECT_FALSE(shown("Wall friction angle", "12 deg"));
+    for (const char* const title :
+         {"Wall friction test no. 3", "Wandreibung Stahl", "Limestone, wall friction",
+          "Limestone, test of wall friction on steel 316L", "Angolo d'attrito alla parete",
+          "Wall friction test in a Jenike cell"})
+        EXPECT_TRUE(shown("title", title)) << title;
+    EXPECT_TRUE(shown("Test", "wall friction"));
+    EXPECT_TRUE(shown("Wall friction test", "steel"));
+}
+
+TEST(WallFriction, IsThatOfTheTestsWithItsNameAlone) {
+    BlockFile file;
+    file.file = "t.csv";
+    for (const char* const test : {"internal friction", "wall friction (steel)"})
+        file.blocks.emplace_back().test = test;
+    EXPECT_EQ(shown_wall(file), "");
+    EXPECT_EQ(named_wall(file.blocks[0]), "");
+    EXPECT_NE(named_wall(file.blocks[1]), "");
+}
+
 }  // namespace pendular::data_test_kinds_test
