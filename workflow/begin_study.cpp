@@ -15,6 +15,7 @@
 #include "data/files/text_file.h"
 #include "data/input_error.h"
 #include "data/quantities/quantity.h"
+#include "data/quantities/units.h"
 #include "data/recordings/stated_sample.h"
 #include "data/remarks/wording.h"
 #include "data/study/study_edit.h"
@@ -73,6 +74,24 @@ Guess guessed_mass(const BlockFile& file) {
     return {fmt::format("{:g} g", mass->value * 1e3), from_line(*mass)};
 }
 
+/// Radii of a common powder cell, but for the one that the file states, which then fits no other of
+/// that cell.
+std::string guessed_radii(const StatedCell& stated) {
+    const char* const common = "GUESS: a common powder cell; no radii were found in the file";
+    const auto& [inner, outer] = std::pair(stated.inner_radius, stated.outer_radius);
+    if (inner.has_value() == outer.has_value())
+        return entry("inner_radius", {"10.5 mm", common}) +
+               entry("outer_radius", {"21.5 mm", common});
+    const char* const other = "GUESS: twice the other; the file states no other radius";
+    const char* const half = "GUESS: half of the other; the file states no other radius";
+    const auto shown = [](double radius) { return fmt::format("{:g} mm", radius * 1e3); };
+    if (inner)
+        return entry("inner_radius", {shown(inner->value), from_line(*inner)}) +
+               entry("outer_radius", {shown(2 * inner->value), other});
+    return entry("inner_radius", {shown(outer->value / 2), half}) +
+           entry("outer_radius", {shown(outer->value), from_line(*outer)});
+}
+
 /// @param steady whether any recording of the study needs the mass of the beads
 std::string cell_text(const FileView& view, bool steady) {
     std::string text = "[cell]\n";
@@ -87,9 +106,7 @@ std::string cell_text(const FileView& view, bool steady) {
         text +=
             entry("outer_radius", {fmt::format("{:g} mm", *view.cell.outer_radius * 1e3), from});
     } else {
-        const char* const from = "GUESS: a common powder cell; no radii were found in the file";
-        text += entry("inner_radius", {"10.5 mm", from});
-        text += entry("outer_radius", {"21.5 mm", from});
+        text += guessed_radii(view.stated);
     }
     if (lacks_torque(view))
         text += entry("lever_arm", {"0.2 m", "GUESS: distance of the load cell from the axis"});
@@ -362,13 +379,26 @@ bool has_dry(const std::vector<FileView>& views, const std::vector<LiquidGuess>&
     return false;
 }
 
+std::string liquid_text(const StatedSample& sample) {
+    const auto& tension = sample.surface_tension;
+    const auto& angle = sample.contact_angle;
+    const double degree = Unit("deg").to_si(1);
+    return entry("surface_tension", tension ? Guess{fmt::format("{:g} mN/m", tension->value * 1e3),
+                                                    from_line(*tension)}
+                                            : Guess{"72.8 mN/m", "GUESS: water"}) +
+           entry("contact_angle",
+                 angle ? Guess{fmt::format("{:g} deg", angle->value / degree), from_line(*angle)}
+                       : Guess{"0 deg", "GUESS: the liquid wets the beads"});
+}
+
 std::string grains_text(const FileView& view, bool wet) {
     const StatedSample sample = stated_sample(view.file);
     std::string text = fmt::format(
         "# Begun by pendular import from {}.\n# Check every line marked GUESS: the file does not "
         "state it.\n\n[grains]\n",
         comment_text(file_to_open(view.file.file).filename().string()));
-    const auto& [diameter, density, mass] = sample;
+    const auto& diameter = sample.diameter;
+    const auto& density = sample.density;
     text += entry("diameter", diameter ? Guess{fmt::format("{:g} um", diameter->value * 1e6),
                                                from_line(*diameter)}
                                        : guessed_diameter(texts_of(view)));
@@ -377,8 +407,7 @@ std::string grains_text(const FileView& view, bool wet) {
                           : Guess{"2500 kg/m^3", "GUESS: glass"}) +
             "\n";
     if (wet)
-        text += "[liquid]\n" + entry("surface_tension", {"72.8 mN/m", "GUESS: water"}) +
-                entry("contact_angle", {"0 deg", "GUESS: the liquid wets the beads"}) + "\n";
+        text += "[liquid]\n" + liquid_text(sample) + "\n";
     else
         text +=
             "# [liquid]                       # for wet grains; each [[recording]] then needs\n"

@@ -57,6 +57,7 @@ const std::vector<CellFact>& cell_facts() {
          "m",
          0.5,
          {"inner diameter",
+          "ID",
           "inside diameter",
           "internal diameter",
           "di",
@@ -80,6 +81,7 @@ const std::vector<CellFact>& cell_facts() {
          "m",
          0.5,
          {"outer diameter",
+          "OD",
           "outside diameter",
           "external diameter",
           "de",
@@ -107,6 +109,19 @@ const std::vector<CellFact>& cell_facts() {
         {&StatedCell::stress_per_torque, "Pa/(N m)", 1, {"stress constant"}},
         {&StatedCell::stress_per_force, "Pa/N", 1, {"normal stress constant"}}};
     return all;
+}
+
+/// A folded name without the word for the cell before or behind it: "Cell inner diameter".
+std::string_view without_cell(std::string_view name) {
+    for (const std::string_view cell :
+         {"shearcell", "ringcell", "ringshearcell", "cell", "cup", "annulus", "trough",
+          "scherzelle", "ringscherzelle", "messzelle", "zelle", "cellule", "cella", "celda"})
+        if (name.starts_with(cell)) return name.substr(cell.size());
+    for (const std::string_view cell :
+         {"ofthecell", "ofcell", "ofthecup", "oftheannulus", "derzelle", "derscherzelle",
+          "delacellule", "dellacella", "delacelda"})
+        if (name.ends_with(cell)) return name.substr(0, name.size() - cell.size());
+    return name;
 }
 
 /// Radii from those of the smallest rheometers to those of the largest ring shear testers, and ten
@@ -151,7 +166,9 @@ StatedCell stated_cell(const BlockFile& file) {
     StatedCell cell;
     for (const StatedFact& fact : stated_facts(file)) {
         for (const CellFact& each : cell_facts()) {
-            if (cell.*each.member || !is_among_names(fact.name, each.names)) continue;
+            if (cell.*each.member || (!is_among_names(fact.name, each.names) &&
+                                      !is_among_names(without_cell(fact.name), each.names)))
+                continue;
             auto stated = positive_value(fact, each.unit, possible_values(each), file.numbers);
             if (!stated || stated->doubt == StatedDoubt::range) continue;
             stated->value *= each.factor;

@@ -1,5 +1,7 @@
 #include "data/recordings/stated_facts.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
@@ -34,6 +36,19 @@ NumberText number_text(const std::string& text) {
     return found ? NumberText{found->parts[1], found->parts[2]} : NumberText{};
 }
 
+/// The first of two names that share their noun, with it: "Inner diameter" of "Inner/outer
+/// diameter", "Innendurchmesser" of "Innen-/Außendurchmesser".
+std::string with_noun(std::string first, const std::string& second) {
+    if (first.ends_with('-')) {
+        first.pop_back();
+        for (const std::string noun : {"durchmesser", "radius"})
+            if (second.ends_with(noun)) return first + noun;
+    }
+    const std::size_t blank = second.rfind(' ');
+    const bool words = first.size() > 2 && first.find_first_of(" _") == std::string::npos;
+    return words && blank != std::string::npos ? first + second.substr(blank) : first;
+}
+
 /// The two facts of "Inner diameter / outer diameter: 40 / 80 mm"; none for other facts.
 std::vector<StatedFact> both_facts(const Fact& fact) {
     const std::size_t in_key = fact.key.find('/'), in_value = fact.value.find('/');
@@ -42,18 +57,69 @@ std::vector<StatedFact> both_facts(const Fact& fact) {
     const NumberText second = number_text(fact.value.substr(in_value + 1));
     if (first.number.empty() || second.number.empty()) return {};
     const std::string& unit = first.unit.empty() ? second.unit : first.unit;
-    return {taken_apart(std::string(trimmed(fact.key.substr(0, in_key))), first.number + " " + unit,
-                        fact),
-            taken_apart(std::string(trimmed(fact.key.substr(in_key + 1))),
-                        second.number + " " + second.unit, fact)};
+    const std::string name(trimmed(fact.key.substr(in_key + 1)));
+    return {taken_apart(with_noun(std::string(trimmed(fact.key.substr(0, in_key))), name),
+                        first.number + " " + unit, fact),
+            taken_apart(name, second.number + " " + second.unit, fact)};
 }
 
-/// Facts in a text of words and numbers such as "r_i 20 mm, r_o 40 mm".
-void add_facts_in_words(const Fact& fact, std::vector<StatedFact>& found) {
-    static const TextPattern pattern(
-        R"(([^\d\s,;=:][^\d,;=:]*?)\s*[=:]?\s*(\d+(?:[.,]\d+)?\s*[^\s\d,;]+(?:/[^\s,;]+)?)(?=$|[\s,;]))");
-    for (const PatternMatch& match : pattern.all(fact.value))
-        found.push_back(taken_apart(match.parts[1], match.parts[2], fact));
+/// Regular expression for a name with a number and a unit, such as "r_i = 20 mm".
+const std::string statement =
+    R"(([^\d\s,;=:][^\d,;=:]*?)\s*[=:]?\s*(\d+(?:[.,]\d+)?\s*[^\s\d,;]+(?:/[^\s,;]+)?))";
+
+/// Adds the facts in a text of words and numbers such as "r_i 20 mm, r_o 40 mm".
+void add_facts_in_words(const std::string& text, const Fact& from, std::vector<StatedFact>& found) {
+    static const TextPattern pattern(statement + R"((?=$|[\s,;]))");
+    for (const PatternMatch& match : pattern.all(text))
+        found.push_back(taken_apart(match.parts[1], match.parts[2], from));
+}
+
+bool consists_of_statements(const std::string& text) {
+    constexpr std::size_t longest = 120;  // a longer text takes long to search, and says more
+    if (text.empty() || text.size() > longest) return false;
+    static const TextPattern pattern(statement + R"((?:\s*[,;]\s*)" + statement + ")*");
+    return pattern.whole(text).has_value();
+}
+
+/// Where the value of a fact ends before further ones: "15 mm" of "15 mm, r_o = 30 mm".
+std::size_t end_of_value(const std::string& value) {
+    constexpr int most = 4;  // of the commas in a number and in the list of a few values
+    std::size_t at = value.find_first_of(",;");
+    for (int k = 0; k < most && at != std::string::npos;
+         ++k, at = value.find_first_of(",;", at + 1))
+        if (consists_of_statements(std::string(trimmed(value.substr(at + 1))))) return at;
+    return value.size();
+}
+
+/// Adds the facts of a line.
+void add_facts(const Fact& fact, std::vector<StatedFact>& found) {
+    if (const std::vector<StatedFact> both = both_facts(fact); !both.empty()) {
+        found.insert(found.end(), both.begin(), both.end());
+        return;
+    }
+    const bool number = !number_text(fact.value).number.empty();
+    const std::size_t end = number ? end_of_value(fact.value) : fact.value.size();
+    found.push_back(taken_apart(fact.key, fact.value.substr(0, end), fact));
+    if (end < fact.value.size()) add_facts_in_words(fact.value.substr(end + 1), fact, found);
+    if (number) return;
+    // A comma may have divided "Inner radius 15 mm, outer radius 30 mm".
+    if (consists_of_statements(fact.key)) add_facts_in_words(fact.key, fact, found);
+    add_facts_in_words(fact.value, fact, found);
+}
+
+/// Gives numbers without a unit that of a line such as "Units: mm", if it is one of lengths.
+void add_common_unit(std::vector<StatedFact>& facts) {
+    constexpr std::array<std::string_view, 10> names = {
+        "unit",   "units",    "Einheit",    "Einheiten",   "Maße in",
+        "unités", "unidades", "dimensions", "Abmessungen", "unità"};
+    const auto common = std::ranges::find_if(facts, [&](const StatedFact& fact) {
+        return is_among_names(fact.name, names) && is_unit(fact.text) &&
+               Unit(fact.text).same_dimension(Unit("m"));
+    });
+    if (common == facts.end()) return;
+    const std::string unit = common->text;
+    for (StatedFact& fact : facts)
+        if (fact.unit.empty() && is_number(fact.text)) fact.unit = unit;
 }
 
 }  // namespace
@@ -73,14 +139,9 @@ std::vector<StatedFact> stated_facts(const BlockFile& file) {
     // Longer texts are descriptions, and take long to search.
     constexpr std::size_t longest = 300;
     std::vector<StatedFact> found;
-    for (const Fact& fact : file.facts) {
-        if (fact.key.size() + fact.value.size() > longest) continue;
-        const std::vector<StatedFact> both = both_facts(fact);
-        found.insert(found.end(), both.begin(), both.end());
-        if (!both.empty()) continue;
-        found.push_back(taken_apart(fact.key, fact.value, fact));
-        if (number_text(fact.value).number.empty()) add_facts_in_words(fact, found);
-    }
+    for (const Fact& fact : file.facts)
+        if (fact.key.size() + fact.value.size() <= longest) add_facts(fact, found);
+    add_common_unit(found);
     return found;
 }
 

@@ -30,21 +30,43 @@ struct SampleFact {
     Words of_another = {};  ///< words of a line that states another quantity
 };
 
-const std::vector<std::string_view> names_of_diameter = {
-    "bead diameter",           "diameter of the beads",
-    "grain diameter",          "grain size",
-    "particle diameter",       "particle size",
-    "sphere diameter",         "diamètre des billes",
-    "diamètre billes",         "diamètre des grains",
-    "diamètre des particules", "taille des grains",
-    "Perlendurchmesser",       "Perldurchmesser",
-    "Kugeldurchmesser",        "Korndurchmesser",
-    "Partikeldurchmesser",     "Korngröße",
-    "diámetro de las esferas", "diámetro de las perlas",
-    "diámetro de los granos",  "diámetro de las partículas",
-    "diámetro de partícula",   "diametro delle sfere",
-    "diametro sfere",          "diametro delle perle",
-    "diametro dei grani",      "diametro delle particelle"};
+const std::vector<std::string_view> names_of_diameter = {"bead diameter",
+                                                         "diameter of the beads",
+                                                         "grain diameter",
+                                                         "grain size",
+                                                         "mean grain size",
+                                                         "median grain size",
+                                                         "mean particle size",
+                                                         "median particle size",
+                                                         "Korndurchmesser d50",
+                                                         "bead diameter d50",
+                                                         "grain diameter d50",
+                                                         "grain size d50",
+                                                         "particle size d50",
+                                                         "particle diameter",
+                                                         "particle size",
+                                                         "sphere diameter",
+                                                         "diamètre des billes",
+                                                         "diamètre billes",
+                                                         "diamètre des grains",
+                                                         "diamètre des particules",
+                                                         "taille des grains",
+                                                         "Perlendurchmesser",
+                                                         "Perldurchmesser",
+                                                         "Kugeldurchmesser",
+                                                         "Korndurchmesser",
+                                                         "Partikeldurchmesser",
+                                                         "Korngröße",
+                                                         "diámetro de las esferas",
+                                                         "diámetro de las perlas",
+                                                         "diámetro de los granos",
+                                                         "diámetro de las partículas",
+                                                         "diámetro de partícula",
+                                                         "diametro delle sfere",
+                                                         "diametro sfere",
+                                                         "diametro delle perle",
+                                                         "diametro dei grani",
+                                                         "diametro delle particelle"};
 
 /// A density without a word for what has it is taken for that of the grains; one of the bed has its
 /// own word.
@@ -77,19 +99,26 @@ const std::vector<std::string_view> names_of_density = {"density",
                                                         "densità delle particelle"};
 
 const std::vector<std::string_view> names_of_mass = {
-    "bead mass",           "mass of beads",
-    "mass of the beads",   "mass of grains",
-    "sample mass",         "masse des billes",
-    "masse de billes",     "masse billes",
-    "masse des grains",    "masse de l'échantillon",
-    "Kugelmasse",          "Perlenmasse",
-    "Masse der Kugeln",    "Masse der Perlen",
-    "Probenmasse",         "Einwaage",
-    "masa de las esferas", "masa de las perlas",
-    "masa de los granos",  "masa de esferas",
-    "masa de la muestra",  "massa sfere",
-    "massa delle sfere",   "massa delle perle",
-    "massa dei grani",     "massa del campione"};
+    "bead mass",          "mass of beads",     "mass of the beads",   "mass of grains",
+    "sample mass",        "mass of sample",    "mass of the sample",  "masse des billes",
+    "masse de billes",    "masse billes",      "masse des grains",    "masse de l'échantillon",
+    "Kugelmasse",         "Perlenmasse",       "Masse der Kugeln",    "Masse der Perlen",
+    "Probenmasse",        "Einwaage",          "masa de las esferas", "masa de las perlas",
+    "masa de los granos", "masa de esferas",   "masa de la muestra",  "massa sfere",
+    "massa delle sfere",  "massa delle perle", "massa dei grani",     "massa del campione"};
+
+const std::vector<std::string_view> symbols_of_diameter = {"d", "d50", "d 50", "dp", "ds"};
+const std::vector<std::string_view> symbols_of_density = {"rho", "ρ", "rho s", "ρs", "rho p", "ρp"};
+
+const std::vector<std::string_view> names_of_tension = {
+    "surface tension",     "surface tension of the liquid", "liquid surface tension",
+    "Oberflächenspannung", "tension superficielle",         "tension de surface",
+    "tensión superficial", "tensione superficiale"};
+
+const std::vector<std::string_view> names_of_contact_angle = {
+    "contact angle",      "wetting angle",      "Kontaktwinkel",
+    "Randwinkel",         "Benetzungswinkel",   "angle de contact",
+    "angle de mouillage", "ángulo de contacto", "angolo di contatto"};
 
 const std::vector<std::string_view> names_by_volume = {"liquid content",
                                                        "liquid fraction",
@@ -159,6 +188,12 @@ std::optional<StatedValue> first_of(const BlockFile& file, const std::vector<Sta
         return value;
     }
     return std::nullopt;
+}
+
+/// The same value as one whose name is in doubt.
+std::optional<StatedValue> in_doubt(std::optional<StatedValue> value) {
+    if (value && value->doubt == StatedDoubt::none) value->doubt = StatedDoubt::name;
+    return value;
 }
 
 /// The number that a text of digits, marks and blanks is, below a limit.
@@ -242,9 +277,22 @@ void check_equal(double content, double first, const Table& table, const Row& ro
 StatedSample stated_sample(const BlockFile& file) {
     const std::vector<StatedFact> facts = stated_facts(file);
     // Powders to boulders, foamed polymers to platinum, and samples up to those of a large cell.
-    return {first_of(file, facts, {names_of_diameter, "m", {1e-8, 0.1}}),
-            first_of(file, facts, {names_of_density, "kg/m^3", {20, 25e3}, words_of_packing}),
-            first_of(file, facts, {names_of_mass, "kg", {1e-6, 1e3}, words_of_wet})};
+    const PossibleValues diameters{1e-8, 0.1}, densities{20, 25e3}, masses{1e-6, 1e3};
+    StatedSample sample{
+        .diameter = first_of(file, facts, {names_of_diameter, "m", diameters}),
+        .density = first_of(file, facts, {names_of_density, "kg/m^3", densities, words_of_packing}),
+        .mass = first_of(file, facts, {names_of_mass, "kg", masses, words_of_wet}),
+        // Water has 0.073 N/m, mercury 0.49 N/m; a liquid that does not wet draws no bridges.
+        .surface_tension = first_of(file, facts, {names_of_tension, "N/m", {1e-4, 1}}),
+        .contact_angle = first_of(file, facts, {names_of_contact_angle, "rad", {0, M_PI}})};
+    // A letter may be that of another quantity: of a gap, or of a packing.
+    if (!sample.diameter)
+        sample.diameter =
+            in_doubt(first_of(file, facts, {symbols_of_diameter, "m", {diameters.least, 0.02}}));
+    if (!sample.density)
+        sample.density = in_doubt(
+            first_of(file, facts, {symbols_of_density, "kg/m^3", densities, words_of_packing}));
+    return sample;
 }
 
 std::optional<StatedLiquid> liquid_in_column(const BlockFile& file) {

@@ -7,14 +7,17 @@
 
 namespace pendular {
 
-/// Beads as the lines above a table state them.
+/// Beads and liquid as the lines above a table state them.
 struct StatedSample {
-    std::optional<StatedValue> diameter;  ///< [m]
-    std::optional<StatedValue> density;   ///< of the grain material [kg/m^3]
-    std::optional<StatedValue> mass;      ///< of the filling [kg]
+    std::optional<StatedValue> diameter;         ///< [m]
+    std::optional<StatedValue> density;          ///< of the grain material [kg/m^3]
+    std::optional<StatedValue> mass;             ///< of the filling [kg]
+    std::optional<StatedValue> surface_tension;  ///< of the liquid [N/m]
+    std::optional<StatedValue> contact_angle;    ///< of the liquid on the grains [rad]
 };
 
-/// Returns what the lines above a table state of the beads, with names in five languages.
+/// Returns what the lines above a table state of the beads and the liquid, with names in five
+/// languages.
 StatedSample stated_sample(const BlockFile& file);
 
 /// Liquid content that a file states for all of its rows.

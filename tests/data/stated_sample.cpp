@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "data/input_error.h"
 #include "data/recordings/file_view.h"
 #include "data/remarks/wording.h"
@@ -43,7 +45,13 @@ TEST_F(StatedSample, HasRadiiWithNamesInFiveLanguages) {
           "Diametro interno [mm]: 40\nDiametro esterno [mm]: 80\n\n",
           "Ø int. = 40 mm\nØ ext. = 80 mm\n\n",
           "Diámetro interior: 4 cm\nDiámetro exterior: 8 cm\n\n", "D_i = 40 mm\nD_o = 80 mm\n\n",
-          "Cell: r_i 20 mm\nr_o 40 mm\n\n", "Inner diameter / outer diameter: 40 / 80 mm\n\n"}) {
+          "Cell: r_i 20 mm\nr_o 40 mm\n\n", "r_i = 20 mm, r_o = 40 mm\n\n",
+          "Inner radius 20 mm, outer radius 40 mm\n\n", "Inner/outer diameter: 40/80 mm\n\n",
+          "Innen-/Außendurchmesser: 40/80 mm\n\n", "ID: 40 mm\nOD: 80 mm\n\n",
+          "Cell inner diameter (mm): 40\nOuter radius of the cell: 40 mm\n\n",
+          "Inner radius;mm;20\nOuter radius;40;mm\n\n",
+          "Inner radius: 20\nOuter radius: 40\nUnits: mm\n\n",
+          "Inner diameter / outer diameter: 40 / 80 mm\n\n"}) {
         EXPECT_NEAR(radius(above, &StatedCell::inner_radius), 0.02, 1e-9) << above;
         EXPECT_NEAR(radius(above, &StatedCell::outer_radius), 0.04, 1e-9) << above;
     }
@@ -63,6 +71,13 @@ TEST_F(StatedSample, HasBeadsWithNamesInFiveLanguages) {
     for (const char* const line : {"Masse des billes : 120 g", "Bead mass: 120 g",
                                    "Massa sfere: 120 g", "Einwaage: 0,12 kg"})
         EXPECT_NEAR(sample(line).mass.value_or(StatedValue{}).value, 0.12, 1e-9) << line;
+    const auto beads = sample("Material: glass beads, d = 0.8 mm, rho = 2460 kg/m³");
+    EXPECT_NEAR(beads.diameter.value_or(StatedValue{}).value, 0.8e-3, 1e-12);
+    EXPECT_NEAR(beads.density.value_or(StatedValue{}).value, 2460, 1e-9);
+    EXPECT_EQ(beads.density->doubt, StatedDoubt::name);
+    const auto liquid = sample("Surface tension: 65 mN/m\nContact angle: 20°");
+    EXPECT_NEAR(liquid.surface_tension.value_or(StatedValue{}).value, 0.065, 1e-12);
+    EXPECT_NEAR(liquid.contact_angle.value_or(StatedValue{}).value, M_PI / 9, 1e-12);
     EXPECT_FALSE(sample("Masse du couvercle : 120 g").mass);
     EXPECT_FALSE(sample("Bulk density: 1500 kg/m3").density);
 }
@@ -116,6 +131,19 @@ TEST_F(StatedSample, HasNumbersWithADecimalCommaInACommaSeparatedFile) {
         EXPECT_NEAR(sample.mass.value_or(StatedValue{}).value, 0.0125, 1e-12);
         EXPECT_NEAR(seen.stated.inner_radius.value_or(StatedValue{}).value, 0.0105, 1e-12);
         EXPECT_NEAR(stated_liquid(seen.file).value_or(StatedLiquid{}).value, 0.015, 1e-12);
+    }
+}
+
+/// The comma that divides two statements is the delimiter too.
+TEST_F(StatedSample, HasRadiiInOneLineOfACommaSeparatedFile) {
+    for (const char* const above :
+         {"r_i = 15 mm, r_o = 30,5 mm", "Inner radius 15 mm, outer radius 30.5 mm"}) {
+        std::string text = above + std::string("\nTime [s],Torque [mNm],Normal force [N]\n");
+        for (int i = 0; i < 60; ++i)
+            text += fmt::format("{},2{}.1,5.0{}\n", i, i % 5, i % 7);
+        const FileView seen = view_of_file(folder_.write("one.csv", text));
+        EXPECT_NEAR(seen.stated.inner_radius.value_or(StatedValue{}).value, 0.015, 1e-12) << above;
+        EXPECT_NEAR(seen.stated.outer_radius.value_or(StatedValue{}).value, 0.0305, 1e-12) << above;
     }
 }
 
