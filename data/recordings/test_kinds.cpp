@@ -141,6 +141,40 @@ bool names_wall_friction_jointly(std::string_view text) {
         names, [&](std::string_view name) { return joined.find(name) != std::string::npos; });
 }
 
+/// Whether a word is that of a material of walls.
+bool names_wall_material(std::string_view word) {
+    static const Parts begins = {"steel",   "stahl",      "edelstahl", "acier", "acero", "acciaio",
+                                 "staal",   "inox",       "stainless", "alu",   "ptfe",  "teflon",
+                                 "pmma",    "plexiglas",  "perspex",   "beton", "béton", "concrete",
+                                 "316",     "304",        "pvc",       "hdpe",  "tivar", "uhmw",
+                                 "alumini", "geomembran", "polyethyl", "aço",   "hormig"};
+    return begins_with_any(word, begins);
+}
+
+/// Whether a text speaks of shear along an interface with a wall: "Sand-steel interface shear".
+bool names_interface(const std::vector<std::string>& words) {
+    const bool interface = std::ranges::any_of(
+        words, [](const std::string& word) { return word.starts_with("interfa"); });
+    return interface && std::ranges::any_of(words, names_wall_material);
+}
+
+/// Whether the name of one test among others means a wall: "wall (steel)", "glass on steel wall". A
+/// "smooth wall" is that of a cell.
+bool names_wall_and_material(std::string_view text) {
+    static const Parts walls = {"wall", "wand", "paroi", "pared", "parete", "parede"};
+    static const Parts against = {"on",  "against", "auf",    "gegen",  "an",
+                                  "sur", "contre",  "contro", "contra", "sobre"};
+    const std::vector<std::string> words = words_of(text);
+    bool wall = false, opposed = false, others = false;
+    for (const std::string& word : words) {
+        const bool is_wall = std::ranges::find(walls, word) != walls.end();
+        wall |= is_wall;
+        opposed |= !wall && std::ranges::find(against, word) != against.end();
+        others |= !is_wall && !names_wall_material(word);
+    }
+    return wall && (opposed || !others);
+}
+
 /// Whether a text speaks of the friction along a wall, in words such as "attrito con la parete": a
 /// cell with "rough walls" has another friction too, and so has "internal friction, wall of steel".
 bool names_wall_friction(std::string_view text) {
@@ -159,7 +193,7 @@ bool names_wall_friction(std::string_view text) {
     // ASTM and testers of powders abbreviate the wall friction test.
     const std::vector<std::string> all = words_of(text);
     if (std::ranges::find(all, "wft") != all.end()) return true;
-    if (names_wall_friction_jointly(text)) return true;
+    if (names_wall_friction_jointly(text) || names_interface(all)) return true;
     bool of_friction = false;
     std::string word;
     for (const char c : lower_case(text) + " ") {
@@ -315,7 +349,9 @@ std::string shown_wall(const BlockFile& file) {
 }
 
 std::string named_wall(const Block& block) {
-    return names_wall_test(block.test) ? fmt::format("its name '{}'", block.test) : "";
+    return names_wall_test(block.test) || names_wall_and_material(block.test)
+               ? fmt::format("its name '{}'", block.test)
+               : "";
 }
 
 std::optional<std::string> stress_growth(const IntervalSeries& series) {

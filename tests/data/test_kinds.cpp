@@ -259,6 +259,16 @@ TEST(WallFriction, IsThatOfTheTestsWithItsNameAlone) {
     EXPECT_EQ(shown_wall(file), "");
     EXPECT_EQ(named_wall(file.blocks[0]), "");
     EXPECT_NE(named_wall(file.blocks[1]), "");
+    const auto named = [&](const char* test) {
+        file.blocks[0].test = test;
+        return !named_wall(file.blocks[0]).empty();
+    };
+    for (const char* const test : {"wall steel", "Wall (steel)", "glass on steel wall", "Wand",
+                                   "Sand auf Wand", "Sand-steel interface shear test"})
+        EXPECT_TRUE(named(test)) << test;
+    for (const char* const test : {"smooth wall", "sand, rough wall", "cell with steel wall",
+                                   "glass on steel", "steel", "interface"})
+        EXPECT_FALSE(named(test)) << test;
 }
 
 }  // namespace pendular::data_test_kinds_test
