@@ -52,10 +52,10 @@ struct OtherNames {
 
 const std::vector<OtherNames>& other_names() {
     static const std::vector<OtherNames> all = {
-        {"",
-         {"change", "anderung", "delta", "difference", "differenz", "variation", "amplitud",
-          "ampiezza", "noise", "offset", "residu", "leerlauf", "error", "desv", "stabw", "ecart",
-          "scarto", "deviat"}},
+        {"", {"change",    "anderung",  "delta",   "difference", "differenz", "variation",
+              "amplitud",  "ampiezza",  "noise",   "offset",     "residu",    "leerlauf",
+              "error",     "desv",      "stabw",   "ecart",      "scarto",    "deviat",
+              "increment", "inkrement", "zuwachs", "zunahme",    "accroiss"}},
         {"height",
          {"dilat",    "settl",     "setzung", "tassement", "compaction", "diam",     "durchmesser",
           "radius",   "rayon",     "radio",   "raggio",    "arm",        "lever",    "hebel",
@@ -293,6 +293,27 @@ std::vector<BlockColumn> columns_like_intervals(const BlockFile& file,
     return found;
 }
 
+namespace {
+
+/// Whether the file states a gear, so that the speed of the motor is not that of the lid.
+bool states_gear(const BlockFile& file) {
+    constexpr std::array<std::string_view, 7> gears = {
+        "gear", "getriebe", "ubersetzung", "untersetzung", "reduction", "riduzione", "reduccion"};
+    return std::ranges::any_of(file.facts, [&](const Fact& fact) {
+        const std::string name = folded_name(fact.key + " " + fact.value);
+        return std::ranges::any_of(
+            gears, [&](std::string_view gear) { return name.find(gear) != std::string::npos; });
+    });
+}
+
+bool is_of_motor(const BlockColumn& column) {
+    const std::string name = folded_name(column.name);
+    // French ends the word in its own way.
+    return name.find("motor") != std::string::npos || name.find("moteu") != std::string::npos;
+}
+
+}  // namespace
+
 std::map<std::string, std::string> columns_by_unit(const BlockFile& file) {
     if (!is_own_table(file.layout) || file.blocks.empty()) return {};
     const Block& block = file.blocks.front();
@@ -300,10 +321,12 @@ std::map<std::string, std::string> columns_by_unit(const BlockFile& file) {
     const auto missing = missing_groups(block);
     if (missing.empty() || is_table_of_points(block, series_of(block))) return {};
     std::map<std::string, std::string> found;
+    const bool geared = states_gear(file);
     for (const NeededGroup* const group : missing) {
         std::vector<std::size_t> fitting;
         for (std::size_t i = 0; i < block.columns.size(); ++i)
-            if (!shown_by(block, i, *group).empty()) fitting.push_back(i);
+            if (!(geared && is_of_motor(block.columns[i])) && !shown_by(block, i, *group).empty())
+                fitting.push_back(i);
         if (fitting.size() != 1 || another_has_the_peak(block, fitting.front(), *group)) continue;
         const std::size_t index = fitting.front();
         const auto fits = [&](const NeededGroup* each) {

@@ -114,8 +114,8 @@ const std::vector<CellFact>& cell_facts() {
 /// A folded name without the word for the cell before or behind it: "Cell inner diameter".
 std::string_view without_cell(std::string_view name) {
     for (const std::string_view cell :
-         {"shearcell", "ringcell", "ringshearcell", "cell", "cup", "annulus", "trough",
-          "scherzelle", "ringscherzelle", "messzelle", "zelle", "cellule", "cella", "celda"})
+         {"shearcell", "ringcell", "ringshearcell", "cell", "cup", "annulus", "scherzelle",
+          "ringscherzelle", "messzelle", "zelle", "cellule", "cella", "celda"})
         if (name.starts_with(cell)) return name.substr(cell.size());
     for (const std::string_view cell :
          {"ofthecell", "ofcell", "ofthecup", "oftheannulus", "derzelle", "derscherzelle",

@@ -168,10 +168,10 @@ bool has_word(std::string_view text, const Words& begins) {
 }
 
 /// Words of a line that speaks of grains with the pores between them.
-const Words words_of_packing = {"loose",  "lose",    "bulk",   "tapp",    "pour",    "fill",
-                                "pack",   "füll",    "fuell",  "schütt",  "schuett", "stampf",
-                                "rüttel", "ruettel", "appar",  "aparen",  "tass",    "vrac",
-                                "sfus",   "mucchio", "granel", "compact", "compatt"};
+const Words words_of_packing = {"loose",  "lose",    "bulk",    "tapp",    "pour",    "fill",
+                                "pack",   "füll",    "fuell",   "schütt",  "schuett", "stampf",
+                                "rüttel", "ruettel", "apparen", "aparen",  "tass",    "vrac",
+                                "sfus",   "mucchio", "granel",  "compact", "compatt"};
 
 /// Words of a line that speaks of grains with their liquid.
 const Words words_of_wet = {"wet",  "moist",  "feucht", "nass",  "humid", "húmed",
@@ -190,7 +190,7 @@ std::optional<StatedValue> first_of(const BlockFile& file, const std::vector<Sta
     return std::nullopt;
 }
 
-/// The same value as one whose name is in doubt.
+/// Value with a name in doubt.
 std::optional<StatedValue> in_doubt(std::optional<StatedValue> value) {
     if (value && value->doubt == StatedDoubt::none) value->doubt = StatedDoubt::name;
     return value;

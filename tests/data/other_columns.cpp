@@ -108,8 +108,15 @@ TEST_F(OtherColumns, AreNotReadByTheirUnit) {
         EXPECT_THAT(with_one_named(3, header).by_unit, IsEmpty()) << header;
     EXPECT_THAT(with_one_named(1, "Bearing friction [mN m]").by_unit, IsEmpty());
     EXPECT_THAT(with_one_named(1, "Yield stress [Pa]").by_unit, IsEmpty());
+    EXPECT_THAT(with_one_named(1, "Torque increment [mN m]").by_unit, IsEmpty());
     EXPECT_THAT(with_one_named(4, "Lüfterdrehzahl [1/min]").by_unit, IsEmpty());
     EXPECT_THAT(with_one_named(0, "Relaxation time [s]").by_unit, IsEmpty());
+    // A gear divides the speed of the motor.
+    std::string geared =
+        "Gear ratio: 100:1\nTime [s];Torque [mN m];Normal force [N];Gap [mm];Motor [rpm]";
+    for (int i = 0; i < 40; ++i)
+        geared += fmt::format("\n{};20;5;6.2;200", i);
+    EXPECT_THAT(view(geared + "\n").by_unit, IsEmpty());
     // Names that say nothing are read, since no other column fits.
     for (const auto& [index, header] : {std::pair{1, "Mz [mN m]"},
                                         {2, "Fz [N]"},

@@ -95,8 +95,8 @@ std::optional<std::size_t> place_of_names(const SourceLines& source, char delimi
     return place;
 }
 
-/// What stands between two cells of a statement: the comma of "2,5 g" is part of a number in a file
-/// whose delimiter it is, while a blank would make two numbers of it. Two numbers stay apart.
+/// Separator of two cells of a statement: the comma of "2,5 g" is part of a number in a file whose
+/// delimiter it is, and a blank would make two numbers of it. Two numbers stay apart.
 std::string_view between_cells(std::string_view before, std::string_view after, char delimiter,
                                std::string_view line) {
     if (before.empty()) return "";
