@@ -67,10 +67,19 @@ std::vector<StatedFact> both_facts(const Fact& fact) {
 const std::string statement =
     R"(([^\d\s,;=:][^\d,;=:]*?)\s*[=:]?\s*(\d+(?:[.,]\d+)?\s*[^\s\d,;]+(?:/[^\s,;]+)?))";
 
+/// Text with one blank for each run of them: three parts of the expression may match a blank, and
+/// the search took a second for a line of 300.
+std::string with_single_blanks(std::string text) {
+    text.erase(std::unique(text.begin(), text.end(),
+                           [](char a, char b) { return a == b && (a == ' ' || a == '\t'); }),
+               text.end());
+    return text;
+}
+
 /// Adds the facts in a text of words and numbers such as "r_i 20 mm, r_o 40 mm".
 void add_facts_in_words(const std::string& text, const Fact& from, std::vector<StatedFact>& found) {
     static const TextPattern pattern(statement + R"((?=$|[\s,;]))");
-    for (const PatternMatch& match : pattern.all(text))
+    for (const PatternMatch& match : pattern.all(with_single_blanks(text)))
         found.push_back(taken_apart(match.parts[1], match.parts[2], from));
 }
 
@@ -78,7 +87,7 @@ bool consists_of_statements(const std::string& text) {
     constexpr std::size_t longest = 120;  // a longer text takes long to search, and says more
     if (text.empty() || text.size() > longest) return false;
     static const TextPattern pattern(statement + R"((?:\s*[,;]\s*)" + statement + ")*");
-    return pattern.whole(text).has_value();
+    return pattern.whole(with_single_blanks(text)).has_value();
 }
 
 /// Where the value of a fact ends before further ones: "15 mm" of "15 mm, r_o = 30 mm".

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "data/input_error.h"
@@ -217,6 +218,16 @@ TEST_F(StatedSample, HasAPreshearInOneLine) {
     for (const char* const line : {"No preshear, 5 kPa at most", "Preshear: 2 kPa",
                                    "Preshear: 6 kPa, 5 kPa", "Preshear: 1 5 kPa"})
         EXPECT_FALSE(points_below(line).file.blocks[0].preshear_normal_stress) << line;
+}
+
+/// The search for names took a second for each such line.
+TEST_F(StatedSample, IsSoughtQuicklyAmongBlanks) {
+    BlockFile file;
+    for (int i = 0; i < 100; ++i)
+        file.add_fact({fmt::format("k{}", i), "a " + std::string(280, ' ') + "b", i + 1});
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_FALSE(stated_cell(file).inner_radius);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
 }
 
 /// Half of the rows at the largest torque are told of the file already, as of the study.
