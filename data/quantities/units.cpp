@@ -195,11 +195,12 @@ std::string missing_unit(std::string_view number, const Unit& expected) {
 
 namespace {
 
-/// Whether a unit begins with a number other than that of "1/s" and a power of ten such as "10^3".
+/// Whether a unit begins with a number other than that of "1" and "1/s" and a power of ten such as
+/// "10^3".
 bool begins_with_factor(std::string_view unit) {
     constexpr std::string_view digits = "0123456789";
     if (unit.empty() || digits.find(unit.front()) == std::string_view::npos) return false;
-    if (unit.starts_with("1/")) return false;
+    if (unit == "1" || unit.starts_with("1/")) return false;
     const char after = unit.starts_with("10") && unit.size() > 2 ? unit[2] : ' ';
     return after != '^' && after != '*' && static_cast<unsigned char>(after) < 0x80;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "data/files/formats/several_tables.h"
+#include "data/files/formats/table_parts.h"
 
 namespace pendular {
 
