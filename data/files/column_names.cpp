@@ -1,5 +1,7 @@
 #include "data/files/column_names.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
