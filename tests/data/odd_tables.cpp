@@ -50,6 +50,16 @@ const std::string names =
     "Time [s],Torque [mN m],Normal force [N],Gap [mm],Angular velocity "
     "[rad/s]";
 
+/// "1.1, 1.2" count the points of a step.
+TEST_F(OddTable, MayCountItsPointsWithinSteps) {
+    std::string text = "Step;Time [s];Torque [mNm];Normal force [N];Gap [mm];Speed [rpm]\n";
+    for (int i = 1; i <= 40; ++i)
+        text += fmt::format("1.{};{};28.9;5;7.9;2\n", i, i);
+    const auto file = folder_.write("steps.csv", text);
+    EXPECT_EQ(read_recording(file).size(), 40u);
+    EXPECT_TRUE(read_recording(file).interval.empty() || read_recording(file).interval.back() == 1);
+}
+
 TEST_F(OddTable, OfLabViewMayNameACommentThatNoRowHas) {
     const std::string header =
         "LabVIEW Measurement\t\nSeparator\tTab\n***End_of_Header***\t\nChannels\t4\n"

@@ -133,6 +133,17 @@ bool has_whole_numbers(const Table& table, std::size_t column) {
     });
 }
 
+/// Whether most numbers of a column are no whole ones, as "1.1, 1.2" for points of a step. In a
+/// few rows they are faults.
+bool has_mostly_fractions(const Table& table, std::size_t column) {
+    const auto fractions = std::ranges::count_if(table.rows, [&](const Row& row) {
+        const auto number = parse_number(row.cells[column].text);
+        return number && *number != std::floor(*number);
+    });
+    constexpr std::ptrdiff_t few = 10;
+    return std::ssize(table.rows) > few && 2 * fractions > std::ssize(table.rows);
+}
+
 /// Does not read columns called "Abschnitt" or the like as numbers of intervals if they hold other
 /// texts: people use these words for names and lengths too.
 void drop_other_intervals(BlockFile& file) {
@@ -140,7 +151,8 @@ void drop_other_intervals(BlockFile& file) {
         for (std::size_t i = 0; i < block.columns.size(); ++i) {
             BlockColumn& column = block.columns[i];
             if (column.quantity != "interval" || number_intervals(file, block, i) ||
-                (find_quantity(column.name) && has_number(block.table, i)) ||
+                (find_quantity(column.name) && has_number(block.table, i) &&
+                 !has_mostly_fractions(block.table, i)) ||
                 has_whole_numbers(block.table, i))
                 continue;
             column.quantity.clear();

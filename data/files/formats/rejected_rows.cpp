@@ -74,8 +74,13 @@ std::vector<bool> rejected_by(const Block& block, std::size_t column) {
     if (!validity && !rejection && !remarks) return {};
     std::vector<bool> rejected;
     bool all_answers = true;
-    for (const Row& row : block.table.rows) {
-        const std::string& text = row.cells[column].text;
+    for (std::size_t i = 0; i < block.table.rows.size(); ++i) {
+        const std::string& text = block.table.rows[i].cells[column].text;
+        // In a long recording, most rows say the same as the row before.
+        if (i > 0 && text == block.table.rows[i - 1].cells[column].text) {
+            rejected.push_back(rejected.back());
+            continue;
+        }
         const std::string word = folded_name(text);
         all_answers = all_answers && (is_yes(word) || is_no(word));
         rejected.push_back((validity && is_no(word)) || (rejection && is_yes(word)) ||
@@ -97,6 +102,7 @@ void leave_out_rejected_rows(BlockFile& file) {
             for (std::size_t k = 0; k < own.size(); ++k)
                 rejected[k] = rejected[k] || own[k];
         }
+        if (std::ranges::none_of(rejected, [](bool each) { return each; })) continue;
         std::vector<Row> kept;
         for (std::size_t k = 0; k < rejected.size(); ++k)
             if (rejected[k])
