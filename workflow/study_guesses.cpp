@@ -75,20 +75,36 @@ bool says_wet(std::string_view word) {
            std::ranges::find(whole, word) != whole.end();
 }
 
-bool named_wet(const std::string& texts) {
-    static const TextPattern water(R"(_w\d)");  // "glass_w10"
-    if (water.first(texts)) return true;
+/// Whether a word in small letters says that grains are dry.
+bool says_dry(std::string_view word) {
+    constexpr std::array words = {"dry",   "trocken", "sec",   "secs",  "sèche",  "sèches",
+                                  "seco",  "seca",    "secco", "secca", "secchi", "asciutto",
+                                  "droog", "droge",   "suchy", "suchá", "torr",   "tør",
+                                  "kuiva", "száraz",  "kuru"};
+    return std::ranges::find(words, word) != words.end();
+}
+
+bool any_word(std::string_view text, bool (*says)(std::string_view)) {
     std::string word;
-    for (const char c : lower_case(texts) + " ") {
+    for (const char c : lower_case(text) + " ") {
         // Bytes beyond ASCII are parts of letters.
         if (std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) > 0x7f) {
             word += c;
             continue;
         }
-        if (says_wet(word)) return true;
+        if (says(word)) return true;
         word.clear();
     }
     return false;
+}
+
+/// Whether the most specific text, or without a word there any other, says that grains are wet: a
+/// test "dry" of a file "water.csv" does not.
+bool named_wet(const std::string& texts) {
+    static const TextPattern water(R"(_w\d)");  // "glass_w10"
+    const std::string_view first = std::string_view(texts).substr(0, texts.find(" | "));
+    if (any_word(first, says_dry) && !any_word(first, says_wet)) return false;
+    return water.first(texts) || any_word(texts, says_wet);
 }
 
 }  // namespace

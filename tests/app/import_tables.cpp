@@ -83,6 +83,19 @@ TEST(OwnFiles, BegunStudiesHoldOneGroupOfPoints) {
     EXPECT_TRUE(std::filesystem::exists(study + "/failure_eau_2.csv"));
 }
 
+TEST(OwnFiles, DryGroupsOfAFileOnWaterStayDry) {
+    const TemporaryFolder folder;
+    const auto file =
+        folder.write("wasser.csv",
+                     "Normalspannung [kPa];Schubspannung trocken [kPa];Schubspannung 1 % Wasser "
+                     "[kPa]\n2;1.25;1.55\n4;2.33;2.63\n6;3.38;3.68\n");
+    const std::string study = (folder.path() / "study").string();
+    ASSERT_EQ(run_pendular("import " + file.string() + " --study " + study).code, 0);
+    const std::string toml = content_of(study + "/study.toml");
+    EXPECT_NE(toml.find("\nliquid_content = 0 "), std::string::npos) << toml;
+    EXPECT_NE(toml.find("\n# liquid_content = 0.025 "), std::string::npos) << toml;
+}
+
 /// Rows of the points of failure in a begun study, without the header.
 std::string failures_of(const std::string& table, std::string* toml = nullptr) {
     const TemporaryFolder folder;

@@ -73,6 +73,12 @@ TEST(StressesBeside, MayHaveTheirNameOnceOverTheColumns) {
                "Glas 1 mm", "Sand");
     expect_two(points("Normal stress;Shear stress;\nkPa;kPa;kPa\n;dry;wet\n" + rows(2)), "dry",
                "wet");
+    // Spreadsheets end each line with the delimiters of empty columns.
+    std::string text =
+        "Ring shear;;;;\n;;;;\n;Shear stress [kPa];;;\nNormal stress [kPa];dry;wet;;\n";
+    for (const double load : {1.0, 2.0, 3.0, 4.0})
+        text += fmt::format("{};{:.2f};{:.2f};;\n", load, 0.2 + 0.51 * load, 0.38 + 0.51 * load);
+    expect_two(points(text), "dry", "wet");
 }
 
 TEST(StressesBeside, KeepTheirErrorsAndLackValues) {

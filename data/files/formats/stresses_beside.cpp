@@ -140,10 +140,12 @@ std::size_t first_row(const SourceLines& source, char delimiter) {
     return source.lines.size();
 }
 
-/// Fills the cells right of the name of a stress that stands over several columns.
-void spread_stress(Row& row) {
-    for (std::size_t i = 1; i < row.cells.size(); ++i)
-        if (row.cells[i].text.empty() && is_stress(heading_of(row.cells[i - 1].text)))
+/// Fills the cells right of the name of a stress that stands over several columns, of which each
+/// has words of its own in the last line.
+void spread_stress(Row& row, const Row& last) {
+    for (std::size_t i = 1; i < std::min(row.cells.size(), last.cells.size()); ++i)
+        if (row.cells[i].text.empty() && !last.cells[i].text.empty() &&
+            is_stress(heading_of(row.cells[i - 1].text)))
             row.cells[i].text = row.cells[i - 1].text;
 }
 
@@ -161,7 +163,7 @@ Names names_above(const SourceLines& source, std::size_t row, char delimiter) {
         lines.insert(lines.begin(), std::move(line));
     }
     for (Row& line : lines) {
-        if (lines.size() > 1) spread_stress(line);
+        if (lines.size() > 1) spread_stress(line, lines.back());
         names.headings.resize(std::max(names.headings.size(), line.cells.size()));
         for (std::size_t i = 0; i < line.cells.size(); ++i)
             add(names.headings[i], line.cells[i].text);
