@@ -1,7 +1,5 @@
 #include "data/files/column_names.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -359,16 +357,23 @@ namespace {
 /// Name without the word that it is measured and no set point: "Normal stress" for "Measured normal
 /// stress". Empty if there is no such word.
 std::string name_of_measured(std::string_view name) {
-    static const std::array words = {"measured", "actual",  "gemessen", "gemessene", "gemessenes",
-                                     "ist",      "istwert", "mesuré",   "mesurée",   "réel",
-                                     "réelle",   "medido",  "medida",   "misurato",  "misurata"};
+    static const std::vector<std::string> words = {
+        "measured", "actual",  "gemessen", "gemessene", "gemessenes",
+        "ist",      "istwert", "mesuré",   "mesurée",   "réel",
+        "réelle",   "medido",  "medida",   "misurato",  "misurata"};
+    // Names that are not known come here, of which a file may have many.
+    static const std::vector<std::string> ends = [] {
+        std::vector<std::string> all;
+        for (const std::string& word : words)
+            for (const std::string& end : {" " + word, " (" + word + ")", "_" + word, ", " + word})
+                all.push_back(end);
+        return all;
+    }();
     const std::string text = spaced(name);
-    for (const std::string_view word : words) {
-        for (const std::string& end : {fmt::format(" {}", word), fmt::format(" ({})", word),
-                                       fmt::format("_{}", word), fmt::format(", {}", word)})
-            if (text.ends_with(end)) return text.substr(0, text.size() - end.size());
-        if (text.starts_with(fmt::format("{} ", word))) return text.substr(word.size() + 1);
-    }
+    for (const std::string& end : ends)
+        if (text.ends_with(end)) return text.substr(0, text.size() - end.size());
+    for (const std::string& word : words)
+        if (text.starts_with(word) && text[word.size()] == ' ') return text.substr(word.size() + 1);
     return "";
 }
 

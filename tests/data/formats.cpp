@@ -157,6 +157,11 @@ TEST_F(ReadBlocks, ReadLabViewWithUnitsOfItsOwnLine) {
     EXPECT_EQ(file.blocks[1].table.rows[2].cells[2].text, "12.3");
     EXPECT_EQ(file.fact("Operator"), "lab");
     EXPECT_EQ(file.blocks[1].test, "segment 2");
+    // A fault in a row neither hides it nor those behind it.
+    const BlockFile faulty = read(begin + segment +
+                                  "0,0\t5,1\t12,1\t11,5\nbad\t5,2\t12,2\t11,6\n"
+                                  "1,0\t5,3\t12,3\t11,7\n");
+    EXPECT_THAT(faulty.blocks[0].table.rows, SizeIs(3));
     // Without a column of times they follow from the first one and their distance.
     const BlockFile untimed = read(begin + segment + "\t5,1\t12,1\t11,5\n\t5,2\t12,2\t11,6\n");
     EXPECT_EQ(untimed.blocks[0].table.rows[1].cells[0].text, "0.75");

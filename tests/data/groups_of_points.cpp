@@ -113,6 +113,12 @@ TEST(RejectedRows, AreNoPoints) {
         ASSERT_FALSE(view.file.skipped.empty()) << name;
         EXPECT_EQ(view.file.skipped.back().kind, Remark::Kind::marked_invalid);
     }
+    // A surcharge is a load, and a deviation no outlier.
+    EXPECT_THAT(points("Normal stress [kPa];Shear stress [kPa];Remarque\n1;0.8;surcharge 5 kPa\n"
+                       "2;1.4;\n3;2.0;écart 2 %\n4;2.6;\n5;3.2;sobrecarga\n")
+                    .loci.at(0)
+                    .points,
+                SizeIs(5));
     // Half of the rows, and words that do not reject.
     EXPECT_THAT(points("Normal stress [kPa];Shear stress [kPa];Valid\n1;0.8;yes\n2;1.4;no\n"
                        "3;2.0;no\n4;2.6;yes\n")

@@ -9,6 +9,7 @@
 
 #include "data/files/folded_name.h"
 #include "data/files/header_cell.h"
+#include "data/input_error.h"
 #include "data/quantities/number.h"
 
 namespace pendular {
@@ -52,8 +53,7 @@ class SegmentReader {
         }
         const Row row = source_.row(line, delimiter_);
         const std::string& key = row.cells.front().text;
-        const bool is_row = in_rows_ && (key.empty() || number_of(key));
-        if (is_row) {
+        if (in_rows_ && key != "Channels") {
             append(line, row);
         } else if (names_next_ && key != "Channels") {
             begin_part(line, row);
@@ -86,8 +86,13 @@ class SegmentReader {
     }
 
     void begin_part(std::size_t line, const Row& names) {
-        constexpr std::size_t most_parts = 200;  // as in several_tables.cpp
-        if (found_.parts.size() == most_parts) return;
+        // Each part has a place for each line: a small file could use much memory.
+        constexpr std::size_t most_lines_of_parts = 20'000'000;
+        if (source_.lines.size() > most_lines_of_parts / (found_.parts.size() + 1))
+            throw InputError({source_.file, names.line},
+                             fmt::format("{} segments of {} lines are more than are read; export "
+                                         "the segments into several files",
+                                         found_.parts.size() + 1, source_.lines.size()));
         std::string text;
         cells_ = names.cells.size();
         for (std::size_t i = 0; i < cells_; ++i) {
@@ -104,18 +109,22 @@ class SegmentReader {
 
     /// Adds a row, which lacks its last cell where it has no comment, and perhaps its time.
     void append(std::size_t line, const Row& row) {
-        std::string text(source_.lines[line]);
+        std::string_view& kept = found_.parts.back().source.lines[line];
+        kept = source_.lines[line];
+        ++rows_;
+        const bool lacks_comment = row.cells.size() + 1 == cells_;
+        if (!row.cells.front().text.empty() && !lacks_comment) return;
+        std::string text(kept);
         const auto begin = number_of(of_channel("X0", 1));
         const auto distance = number_of(of_channel("Delta_X", 1));
         if (row.cells.front().text.empty() && begin && distance) {
             std::string time =
-                fmt::format("{:.12g}", *begin + static_cast<double>(rows_) * *distance);
+                fmt::format("{:.12g}", *begin + static_cast<double>(rows_ - 1) * *distance);
             if (of_channel("Decimal_Separator", 1) == ",") std::ranges::replace(time, '.', ',');
             text = time + text.substr(std::min(text.find(delimiter_), text.size()));
         }
-        if (row.cells.size() + 1 == cells_) text += delimiter_;
-        found_.parts.back().source.lines[line] = found_.texts.emplace_back(std::move(text));
-        ++rows_;
+        if (lacks_comment) text += delimiter_;
+        kept = found_.texts.emplace_back(std::move(text));
     }
 
     const SourceLines& source_;
@@ -134,11 +143,7 @@ bool is_labview(const SourceLines& source) {
 }
 
 SeveralTables labview_segments(const SourceLines& source, BlockFile& file) {
-    try {
-        return SegmentReader(source, file).read();
-    } catch (const InputError&) {  // a quote, on which the layout has its say
-        return {};
-    }
+    return SegmentReader(source, file).read();
 }
 
 }  // namespace pendular
