@@ -15,6 +15,7 @@
 #include "data/files/text_pattern.h"
 #include "data/quantities/statistics.h"
 #include "data/recordings/findings/detectors.h"
+#include "data/recordings/stated_facts.h"
 #include "data/recordings/step_series.h"
 #include "data/recordings/time_series.h"
 
@@ -108,18 +109,6 @@ bool is_table_of_points(const Block& block, const IntervalSeries& series) {
 
 namespace {
 
-/// Words of a text in small letters.
-std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words(1);
-    for (const char c : lower_case(text))
-        if (std::string_view(" _-.,:;/()'").find(c) == std::string_view::npos)
-            words.back() += c;
-        else if (!words.back().empty())
-            words.emplace_back();
-    if (words.back().empty()) words.pop_back();
-    return words;
-}
-
 using Parts = std::vector<std::string_view>;
 
 bool begins_with_any(std::string_view word, const Parts& parts) {
@@ -135,7 +124,7 @@ bool names_wall_friction_jointly(std::string_view text) {
         "väggfriktion", "vægfriktion",  "veggfriksjon", "falisúrlódás",
         "seinäkitka",   "duvarsürtün",  "壁面摩擦",     "壁摩擦"};
     std::string joined;
-    for (const std::string& word : words_of(text))
+    for (const std::string& word : lower_case_words(text))
         joined += word;
     return std::ranges::any_of(
         names, [&](std::string_view name) { return joined.find(name) != std::string::npos; });
@@ -164,7 +153,7 @@ bool names_wall_and_material(std::string_view text) {
     static const Parts walls = {"wall", "wand", "paroi", "pared", "parete", "parede"};
     static const Parts against = {"on",  "against", "auf",    "gegen",  "an",
                                   "sur", "contre",  "contro", "contra", "sobre"};
-    const std::vector<std::string> words = words_of(text);
+    const std::vector<std::string> words = lower_case_words(text);
     bool wall = false, opposed = false, others = false;
     for (const std::string& word : words) {
         const bool is_wall = std::ranges::find(walls, word) != walls.end();
@@ -191,7 +180,7 @@ bool names_wall_friction(std::string_view text) {
     static const Parts walls = {"wall",   "wand", "paroi", "pared", "paret", "pariét",
                                 "pariet", "ścia", "stěn",  "vägg",  "væg",   "vegg"};
     // ASTM and testers of powders abbreviate the wall friction test.
-    const std::vector<std::string> all = words_of(text);
+    const std::vector<std::string> all = lower_case_words(text);
     if (std::ranges::find(all, "wft") != all.end()) return true;
     if (names_wall_friction_jointly(text) || names_interface(all)) return true;
     bool of_friction = false;
@@ -235,7 +224,7 @@ bool speaks_of_wall_beside_test(std::string_view text) {
     static const TextPattern value(
         R"((?:of|der|de|della|del)\s+(?:the\s+|la\s+)?(?:cell|zelle|celd))"
         R"(|\d\s*(?:°|deg|grad)|(?:angle|winkel|coeff?ici|koeffi|angolo|ángulo|kąt|=)\D*\d)");
-    const std::vector<std::string> words = words_of(text);
+    const std::vector<std::string> words = lower_case_words(text);
     for (std::size_t i = 0; i < words.size(); ++i) {
         // "Wall friction test no. 3" denies nothing.
         const bool denies = words[i] == "no" && i + 1 < words.size() &&
@@ -257,7 +246,7 @@ bool names_wall_test(std::string_view text) {
     const std::vector<std::string_view> clauses = clauses_of(text);
     for (const std::string_view clause : clauses) {
         if (!names_wall_friction(clause)) continue;
-        const std::vector<std::string> words = words_of(clause);
+        const std::vector<std::string> words = lower_case_words(clause);
         if (clause.data() == clauses.front().data() || words.size() <= no_more ||
             std::ranges::any_of(
                 words, [](const std::string& word) { return begins_with_any(word, tests); }))
@@ -282,7 +271,7 @@ bool is_of_wall(const BlockColumn& column) {
                                                        "tauw", "sigmaw", "τw",    "σw"};
     constexpr std::array<std::string_view, 4> symbols = {"tau", "sigma", "τ", "σ"};
     if (column.quantity != "shear_stress" && column.quantity != "normal_stress") return false;
-    const std::vector<std::string> words = words_of(column.name);
+    const std::vector<std::string> words = lower_case_words(column.name);
     for (std::size_t i = 0; i < words.size(); ++i) {
         // German joins words: "Wandschubspannung".
         if (std::ranges::find(names, words[i]) != names.end() || words[i].starts_with("wand") ||
